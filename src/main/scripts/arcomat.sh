@@ -16,8 +16,8 @@ fi
 # Commands that are over in a moment do not live to see the optimising compiler pay, and see the quick one pay half as
 # often as its defaults assume.
 case ${1-} in
-    analyze | campaign | campaign-worker | contradictions | diff | evolution | generate | refines | simulate | test | \
-        verify | watch) compiler= ;;
+    analyze | campaign | campaign-worker | contradictions | diff | evolution | generate | language-server | refines | \
+        simulate | test | verify | watch) compiler= ;;
     *) compiler='-XX:TieredStopAtLevel=1 -XX:CompileThresholdScaling=2' ;;
 esac
 

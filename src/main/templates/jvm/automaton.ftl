@@ -203,6 +203,13 @@ ${indent}${a.state} = ${initial.target};
 </#if>
 </#macro>
 <#macro step a>
+<#if a.silences?has_content>
+        // Silent, unless something is sent below.
+<#list a.silences as assignment>
+        ${assignment.target} = ${assignment.value};
+</#list>
+
+</#if>
 <#if a.sectionSize == 0 && a.sections?first.draws>
         ${a.wide?then("long", "int")} enabled;
 </#if>

@@ -11,7 +11,8 @@ import java.util.Optional;
  *
  * @param world path of the world's file, relative to the campaign's
  * @param measures columns of its own
- * @param watches events of its own
+ * @param watches events of its own: what single robots see
+ * @param jointWatches events of its own: what several robots do together
  * @param firstSeed of the first run; each further one has the next, but all points of a grid have
  *     the same
  * @param stopsWhenDecided whether it may end before its last run, as soon as every requirement on a
@@ -22,6 +23,7 @@ public record Campaign(
         List<Variation> variations,
         List<Measure> measures,
         List<Watched> watches,
+        List<JointWatch> jointWatches,
         Plan plan,
         long firstSeed,
         boolean stopsWhenDecided,
@@ -33,6 +35,7 @@ public record Campaign(
         variations = List.copyOf(variations);
         measures = List.copyOf(measures);
         watches = List.copyOf(watches);
+        jointWatches = List.copyOf(jointWatches);
         demands = List.copyOf(demands);
     }
 
@@ -96,6 +99,7 @@ public record Campaign(
         List<Column> columns = new ArrayList<>(Column.builtIn());
         measures.forEach(each -> columns.add(each.column()));
         watches.forEach(each -> columns.add(each.column()));
+        jointWatches.forEach(each -> columns.add(each.column()));
         split.ifPresent(each -> columns.addAll(Column.within(each)));
         return columns;
     }

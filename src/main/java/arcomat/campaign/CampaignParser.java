@@ -36,8 +36,14 @@ public final class CampaignParser {
     private final List<Diagnostic> findings = new ArrayList<>();
     private final Map<String, Span> once = new LinkedHashMap<>();
     private final Map<String, Variation> variations = new LinkedHashMap<>();
-    private final Map<String, Measure> measures = new LinkedHashMap<>();
-    private final Map<String, Watched> watches = new LinkedHashMap<>();
+    private final List<Measure> measures = new ArrayList<>();
+    private final List<Watched> watches = new ArrayList<>();
+    private final List<JointWatch> jointWatches = new ArrayList<>();
+
+    /** The names of columns that the text defines. */
+    private final Map<String, Span> defined = new LinkedHashMap<>();
+
+    private @Nullable WatchBlock open;
     private final List<Demand> demands = new ArrayList<>();
     private Campaign.@Nullable World world;
     private @Nullable Plan plan;
@@ -66,20 +72,66 @@ public final class CampaignParser {
     public static Reading parse(SourceFile file) {
         CampaignParser parser = new CampaignParser(file);
         for (int line = 1; line <= file.lineCount(); line++) {
-            Words words = Words.ofLine(file, line, SYNTAX);
-            if (!words.isEmpty()) {
-                parser.read(words);
-            }
+            parser.read(line);
         }
         return parser.result();
     }
 
-    private void read(Words words) {
+    /**
+     * The words of which one may follow.
+     *
+     * @param beginning of a text, up to the end of a word
+     */
+    public static List<String> choicesAfter(SourceFile beginning) {
+        CampaignParser parser = new CampaignParser(beginning);
+        int last = beginning.lineCount();
+        for (int line = 1; line < last; line++) {
+            parser.read(line);
+        }
+        return parser.read(last);
+    }
+
+    /** The words of which one is missing at its end. */
+    private List<String> read(int line) {
+        Words words = Words.ofLine(file, line, SYNTAX);
+        if (words.isEmpty()) {
+            return STATEMENTS;
+        }
         try {
-            statement(words, words.choice("what a campaign says", STATEMENTS));
+            if (open == null || !continued(open, words)) {
+                statement(words, words.choice("what a campaign says", STATEMENTS));
+            }
             words.end();
+            return List.of();
         } catch (Unreadable e) {
             findings.add(e.finding());
+            return e.choices();
+        }
+    }
+
+    /** Whether a line belongs to the watch that is open; a statement does not, and closes it. */
+    private boolean continued(WatchBlock block, Words words) throws Unreadable {
+        if (WatchBlock.isClosedBy(words)) {
+            open = null;
+            define(block.watch());
+            return true;
+        }
+        if (STATEMENTS.contains(words.first().text()) && !words.isSecond("=")) {
+            requireClosed();
+            return false;
+        }
+        block.read(words);
+        return true;
+    }
+
+    private void requireClosed() {
+        if (open != null) {
+            findings.add(
+                    Diagnostic.error(
+                            SYNTAX,
+                            open.place(),
+                            "this is not closed: write '}' on a line behind its ports"));
+            open = null;
         }
     }
 
@@ -88,7 +140,7 @@ public final class CampaignParser {
             case "vary" -> vary(words);
             case "measure" -> define(Measure.number(words));
             case "event" -> define(Measure.event(words));
-            case "watch" -> define(Watched.of(words));
+            case "watch" -> watch(words);
             case "require" -> demands.add(phrases().demand(words));
             default -> {
                 unique(what.text(), what.place());
@@ -129,16 +181,27 @@ public final class CampaignParser {
 
     private void define(Measure measure) throws Unreadable {
         requireColumn(measure.name(), measure.place());
-        measures.put(measure.name(), measure);
+        measures.add(measure);
     }
 
-    private void define(Watched watched) throws Unreadable {
-        requireColumn(watched.name(), watched.place());
-        watches.put(watched.name(), watched);
+    private void watch(Words words) throws Unreadable {
+        Watched watched = Watched.of(words);
+        if (WatchBlock.isOpened(watched)) {
+            open = WatchBlock.of(watched, words);
+        } else {
+            requireColumn(watched.name(), watched.place());
+            watches.add(watched);
+        }
+    }
+
+    private void define(JointWatch watch) throws Unreadable {
+        requireColumn(watch.name(), watch.place());
+        jointWatches.add(watch);
     }
 
     private void requireColumn(String name, Span place) throws Unreadable {
         unique("column " + name, place);
+        defined.put(name, place);
         boolean taken =
                 Quantity.words(true).contains(name)
                         || Quantity.words(false).contains(name)
@@ -156,11 +219,12 @@ public final class CampaignParser {
     /** The columns that the text has named so far, and those that every table has. */
     private List<String> columns(boolean event) {
         List<String> names = new ArrayList<>(Quantity.words(event));
-        measures.values().stream()
+        measures.stream()
                 .filter(each -> each.fold().isEvent() == event)
                 .forEach(each -> names.add(each.name()));
         if (event) {
-            names.addAll(watches.keySet());
+            watches.forEach(each -> names.add(each.name()));
+            jointWatches.forEach(each -> names.add(each.name()));
         }
         return names;
     }
@@ -173,6 +237,7 @@ public final class CampaignParser {
     }
 
     private Reading result() {
+        requireClosed();
         requireThere(world != null, "a world: write 'world FILE'");
         requireThere(plan != null, "a number of runs: write 'sample random N'");
         if (findings.isEmpty()) {
@@ -191,8 +256,9 @@ public final class CampaignParser {
         return new Campaign(
                 Objects.requireNonNull(world),
                 List.copyOf(variations.values()),
-                List.copyOf(measures.values()),
-                List.copyOf(watches.values()),
+                measures,
+                watches,
+                jointWatches,
                 Objects.requireNonNull(plan),
                 firstSeed,
                 stopsWhenDecided,
@@ -211,8 +277,7 @@ public final class CampaignParser {
 
     /** Parameters are columns as well. */
     private void checkColumns() {
-        measures.values().forEach(each -> requireNoParameter(each.name(), each.place()));
-        watches.values().forEach(each -> requireNoParameter(each.name(), each.place()));
+        defined.forEach(this::requireNoParameter);
     }
 
     private void requireNoParameter(String name, Span place) {
@@ -271,11 +336,7 @@ public final class CampaignParser {
 
     private void checkSplit(Split asked) {
         asked.columns().stream()
-                .filter(
-                        name ->
-                                measures.containsKey(name)
-                                        || watches.containsKey(name)
-                                        || variations.containsKey(name))
+                .filter(name -> defined.containsKey(name) || variations.containsKey(name))
                 .forEach(name -> tellTaken(name, asked.place()));
         if (comparison != null) {
             findings.add(

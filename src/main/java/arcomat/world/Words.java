@@ -89,6 +89,11 @@ public final class Words {
         return words.get(0);
     }
 
+    /** Whether the second word of the line is this one. */
+    public boolean isSecond(String word) {
+        return words.size() > 1 && words.get(1).text().equals(word);
+    }
+
     public boolean hasNext() {
         return position < words.size();
     }
@@ -99,9 +104,15 @@ public final class Words {
     }
 
     public Word next(String expected) throws Unreadable {
+        return next(expected, List.of());
+    }
+
+    private Word next(String expected, List<String> choices) throws Unreadable {
         if (!hasNext()) {
             Span last = words.get(words.size() - 1).place();
-            throw wrong(last.file().span(last.end(), last.end()), "here should follow " + expected);
+            Span end = last.file().span(last.end(), last.end());
+            throw new Unreadable(
+                    Diagnostic.error(code, end, "here should follow " + expected), choices);
         }
         return words.get(position++);
     }
@@ -135,7 +146,7 @@ public final class Words {
     }
 
     public void expect(String word) throws Unreadable {
-        Word next = next("'" + word + "'");
+        Word next = next("'" + word + "'", List.of(word));
         if (!next.text().equals(word)) {
             throw wrong(next, "'" + next.text() + "' stands where '" + word + "' should");
         }
@@ -193,7 +204,7 @@ public final class Words {
     /** One of some words. */
     public Word choice(String meaning, List<String> allowed) throws Unreadable {
         String expected = meaning + ": " + String.join(", ", allowed);
-        Word word = next(expected);
+        Word word = next(expected, allowed);
         if (!allowed.contains(word.text())) {
             throw isNot(word, expected);
         }
@@ -234,10 +245,21 @@ public final class Words {
         private static final long serialVersionUID = 1L;
 
         private final transient Diagnostic finding;
+        private final transient List<String> choices;
 
         public Unreadable(Diagnostic finding) {
+            this(finding, List.of());
+        }
+
+        private Unreadable(Diagnostic finding, List<String> choices) {
             super(finding.message());
             this.finding = finding;
+            this.choices = List.copyOf(choices);
+        }
+
+        /** The words of which one is missing at the end of the line. */
+        public List<String> choices() {
+            return choices;
         }
 
         public Diagnostic finding() {

@@ -60,10 +60,13 @@ public final class WorldParser {
      * A world that was read.
      *
      * @param world absent if there are findings
+     * @param programs of its kinds, also of those that nobody is of
      * @param findings in the order of the text
      */
-    public record Parsed(Optional<World> world, List<Diagnostic> findings) {
+    public record Parsed(
+            Optional<World> world, List<Kind.Program> programs, List<Diagnostic> findings) {
         public Parsed {
+            programs = List.copyOf(programs);
             findings = List.copyOf(findings);
         }
     }
@@ -95,18 +98,40 @@ public final class WorldParser {
         return Parameters.of(file, Map.of()).all();
     }
 
-    private void read(int line) {
+    /**
+     * The words of which one may follow.
+     *
+     * @param beginning of a text, up to the end of a word
+     */
+    public static List<String> choicesAfter(SourceFile beginning) {
+        WorldParser parser = new WorldParser(beginning, Parameters.of(beginning, Map.of()));
+        int last = beginning.lineCount();
+        for (int line = 1; line < last; line++) {
+            parser.read(line);
+        }
+        if (!Words.ofLine(beginning, last).isEmpty()) {
+            return parser.read(last);
+        }
+        List<String> all = new ArrayList<>(parser.open == null ? List.of() : KindDraft.PARTS);
+        all.addAll(STATEMENTS);
+        return all;
+    }
+
+    /** The words of which one is missing at its end. */
+    private List<String> read(int line) {
         try {
             if (Words.ofLine(file, line).take(Parameters.STATEMENT)) {
                 open = null; // it is read already
-                return;
+                return List.of();
             }
             Words words = Words.ofLine(file, line, parameters);
             if (!words.isEmpty()) {
                 read(words);
             }
+            return List.of();
         } catch (Unreadable e) {
             findings.add(e.finding());
+            return e.choices();
         }
     }
 
@@ -271,7 +296,10 @@ public final class WorldParser {
             findings.addAll(Placement.check(world, stripes));
         }
         findings.sort(Diagnostic.ORDER);
-        return new Parsed(findings.isEmpty() ? Optional.of(world) : Optional.empty(), findings);
+        return new Parsed(
+                findings.isEmpty() ? Optional.of(world) : Optional.empty(),
+                built.values().stream().map(Kind::program).toList(),
+                findings);
     }
 
     /** What is wrong already is told alone: it may be the reason. */

@@ -13,7 +13,6 @@ import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -26,17 +25,17 @@ import java.util.regex.Pattern;
 @Tag("slow")
 @Timeout(900)
 class ClusterTest {
-    private static final Path TOOL = Path.of("build/install/arcomat/bin/arcomat").toAbsolutePath();
     private static final Path WORLD = Path.of("models/coffee/world/meeting.world").toAbsolutePath();
     private static final int RUNS = 400;
     private static final Pattern TABLE = Pattern.compile("(?m)^table (\\w+)");
 
     @TempDir private Path temporary;
-    private final List<Process> started = new ArrayList<>();
+    private ToolProcesses tool;
     private String address = "";
 
     @BeforeEach
     void writeCampaign() throws IOException {
+        tool = new ToolProcesses(temporary);
         write("yard.campaign", RUNS);
         try (ServerSocket free = new ServerSocket(0)) {
             address = "127.0.0.1:" + free.getLocalPort();
@@ -51,22 +50,11 @@ class ClusterTest {
 
     @AfterEach
     void endAll() throws InterruptedException {
-        for (Process each : started) {
-            each.destroyForcibly().waitFor();
-        }
+        tool.endAll();
     }
 
     private Process start(String log, String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(TOOL.toString()));
-        command.addAll(List.of(arguments));
-        Process process =
-                new ProcessBuilder(command)
-                        .directory(temporary.toFile())
-                        .redirectErrorStream(true)
-                        .redirectOutput(temporary.resolve(log).toFile())
-                        .start();
-        started.add(process);
-        return process;
+        return tool.start(log, List.of(arguments));
     }
 
     private Process worker(String log) throws IOException {
@@ -87,7 +75,7 @@ class ClusterTest {
     }
 
     private String log(String name) throws IOException {
-        return Files.readString(temporary.resolve(name));
+        return tool.log(name);
     }
 
     private String table(String log) throws IOException {
@@ -103,14 +91,9 @@ class ClusterTest {
 
     /** In the middle of its work: so many rows are there. */
     private void awaitRows(int rows) throws Exception {
-        Path unfinished = temporary.resolve("out/rows.unfinished");
-        while (Files.notExists(unfinished) || lines(unfinished) < rows) {
+        while (tool.rows("out") < rows) {
             Thread.sleep(20);
         }
-    }
-
-    private static long lines(Path file) throws IOException {
-        return Files.readString(file).lines().count() - 1;
     }
 
     private void awaitLine(String log, String part) throws Exception {
@@ -179,28 +162,5 @@ class ClusterTest {
         assertThat(other.waitFor()).isZero();
         assertThat(distributed("campaign.log", "--out", "out").waitFor()).isZero();
         assertWholeTable("campaign.log");
-    }
-
-    /** Rows a second once all have begun: half of them, so that starts are not counted. */
-    @Test
-    void twoWorkersAreAsFastAsTwoThreads() throws Exception {
-        write("yard.campaign", 2 * RUNS);
-        double threads = seconds(campaign("threads.log", "--workers", "2", "--out", "out"));
-        worker("first.log");
-        worker("second.log");
-        double workers = seconds(distributed("campaign.log", "--out", "out"));
-        double ratio = threads / workers;
-        System.out.printf("two workers make %.2f times the runs of two threads%n", ratio);
-        // On a machine that does other things, and each worker has a Java of its own to warm up.
-        assertThat(ratio).isGreaterThan(0.25);
-    }
-
-    private double seconds(Process campaign) throws Exception {
-        awaitRows(RUNS / 2);
-        long begun = System.nanoTime();
-        awaitRows(3 * RUNS / 2);
-        double seconds = Duration.ofNanos(System.nanoTime() - begun).toMillis() / 1000.0;
-        assertThat(campaign.waitFor()).isZero();
-        return seconds;
     }
 }

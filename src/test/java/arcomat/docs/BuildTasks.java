@@ -26,6 +26,7 @@ record BuildTasks(String scripts) {
                         "gradle/compiler.gradle",
                         "gradle/mutation.gradle",
                         "gradle/sbom.gradle",
+                        "gradle/vscode.gradle",
                         "benchmarks/build.gradle")) {
             scripts.append(Files.readString(Path.of(script)));
         }

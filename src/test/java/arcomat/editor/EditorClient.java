@@ -23,6 +23,9 @@ import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.RenameFile;
 import org.eclipse.lsp4j.ResourceOperation;
 import org.eclipse.lsp4j.ResourceOperationKind;
+import org.eclipse.lsp4j.ShowDocumentCapabilities;
+import org.eclipse.lsp4j.ShowDocumentParams;
+import org.eclipse.lsp4j.ShowDocumentResult;
 import org.eclipse.lsp4j.ShowMessageRequestParams;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
 import org.eclipse.lsp4j.TextDocumentEdit;
@@ -30,6 +33,7 @@ import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.eclipse.lsp4j.TextDocumentItem;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
+import org.eclipse.lsp4j.WindowClientCapabilities;
 import org.eclipse.lsp4j.WorkspaceClientCapabilities;
 import org.eclipse.lsp4j.WorkspaceEdit;
 import org.eclipse.lsp4j.WorkspaceEditCapabilities;
@@ -40,9 +44,9 @@ import org.eclipse.lsp4j.services.LanguageClient;
 import org.eclipse.lsp4j.services.LanguageServer;
 
 import java.io.IOException;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.net.URI;
+import java.nio.channels.Channels;
+import java.nio.channels.Pipe;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -51,6 +55,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -61,28 +66,35 @@ import java.util.concurrent.TimeoutException;
  */
 final class EditorClient implements LanguageClient, AutoCloseable {
     private static final long PATIENCE_SECONDS = 60;
-    private static final int PIPE_BYTES = 1 << 20;
 
     private final Path folder;
     private final LanguageServer server;
     private final Map<String, SourceFile> open = new TreeMap<>();
     private final Map<String, Integer> versions = new TreeMap<>();
     private final Map<String, List<Diagnostic>> problems = new ConcurrentHashMap<>();
+    private final List<String> shown = new CopyOnWriteArrayList<>();
 
     /**
      * @param folder the workspace
      */
     EditorClient(Path folder) throws IOException {
         this.folder = folder;
-        PipedInputStream toServer = new PipedInputStream(PIPE_BYTES);
-        PipedInputStream toClient = new PipedInputStream(PIPE_BYTES);
-        PipedOutputStream fromClient = new PipedOutputStream(toServer);
-        PipedOutputStream fromServer = new PipedOutputStream(toClient);
+        // A PipedInputStream ends when the thread that wrote last does.
+        Pipe toServer = Pipe.open();
+        Pipe toClient = Pipe.open();
         EditorServer served = new EditorServer("0");
-        var serving = LSPLauncher.createServerLauncher(served, toServer, fromServer);
+        var serving =
+                LSPLauncher.createServerLauncher(
+                        served,
+                        Channels.newInputStream(toServer.source()),
+                        Channels.newOutputStream(toClient.sink()));
         served.connect(serving.getRemoteProxy());
         serving.startListening();
-        var asking = LSPLauncher.createClientLauncher(this, toClient, fromClient);
+        var asking =
+                LSPLauncher.createClientLauncher(
+                        this,
+                        Channels.newInputStream(toClient.source()),
+                        Channels.newOutputStream(toServer.sink()));
         this.server = asking.getRemoteProxy();
         asking.startListening();
         InitializeParams params = new InitializeParams();
@@ -100,6 +112,9 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         workspace.setWorkspaceEdit(edits);
         ClientCapabilities capabilities = new ClientCapabilities();
         capabilities.setWorkspace(workspace);
+        var window = new WindowClientCapabilities();
+        window.setShowDocument(new ShowDocumentCapabilities(true));
+        capabilities.setWindow(window);
         return capabilities;
     }
 
@@ -147,6 +162,10 @@ final class EditorClient implements LanguageClient, AutoCloseable {
     void close(String path) {
         open.remove(path);
         server.getTextDocumentService().didClose(new DidCloseTextDocumentParams(document(path)));
+    }
+
+    boolean isOpen(String path) {
+        return open.containsKey(path);
     }
 
     SourceFile text(String path) {
@@ -253,6 +272,17 @@ final class EditorClient implements LanguageClient, AutoCloseable {
     @Override
     public void publishDiagnostics(PublishDiagnosticsParams params) {
         problems.put(params.getUri(), params.getDiagnostics());
+    }
+
+    /** What the server has asked to be shown last. */
+    Path shown() {
+        return Path.of(URI.create(shown.get(shown.size() - 1)));
+    }
+
+    @Override
+    public CompletableFuture<ShowDocumentResult> showDocument(ShowDocumentParams params) {
+        shown.add(params.getUri());
+        return CompletableFuture.completedFuture(new ShowDocumentResult(true));
     }
 
     @Override

@@ -12,6 +12,7 @@ import org.eclipse.lsp4j.Range;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
@@ -44,11 +45,15 @@ final class EditorScript {
             case "fix-all" -> silently(() -> fixAll(path));
             case "format" -> silently(() -> format(path));
             case "format-range" -> silently(() -> format(path, range(place)));
-            default ->
-                    new NameSteps(client)
-                            .run(words[0], path, place, rest)
-                            .orElseThrow(() -> new AssertionError("no step: " + step));
+            default -> otherwise(step, words[0], path, place, rest);
         };
+    }
+
+    private String otherwise(String step, String word, String path, String place, String rest)
+            throws IOException {
+        Optional<String> seen = new NameSteps(client).run(word, path, place, rest);
+        return (seen.isPresent() ? seen : new VerdictSteps(client).run(word, path, place))
+                .orElseThrow(() -> new AssertionError("no step: " + step));
     }
 
     private interface Action {

@@ -17,6 +17,9 @@ void ${head.prefix}${head.name}_start(${head.prefix}${head.name} *self) {
 }
 
 void ${head.prefix}${head.name}_step(${head.prefix}${head.name} *self) {
+<#list silences as assignment>
+    ${assignment.target} = ${assignment.value};
+</#list>
     switch (self->${state}) {
 <#list sections as section>
 <#list section.states as some>

@@ -3,6 +3,7 @@ package arcomat.benchmarks;
 import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
+import arcomat.benchmarks.editor.EditorGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.incremental.IncrementalGroup;
 import arcomat.benchmarks.measure.Baseline;
@@ -28,7 +29,7 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world}.
+ * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world, editor}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -40,7 +41,8 @@ public final class Main {
                     new ColdGroup(),
                     new AnalysisGroup(),
                     new BuildGroup(),
-                    new WorldGroup());
+                    new WorldGroup(),
+                    new EditorGroup());
 
     private Main() {}
 

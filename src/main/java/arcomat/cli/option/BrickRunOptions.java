@@ -6,18 +6,14 @@ import arcomat.pipeline.WrongUse;
 import arcomat.sim.device.Limits;
 import arcomat.sim.time.OutOfPatience;
 
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 import java.time.Duration;
 
 /** Of commands that run simulated bricks. */
 public final class BrickRunOptions {
-    @Option(
-            names = "--no-limits",
-            description =
-                    "Run on an ideal brick, which computes in no time and has room for everything:"
-                            + " without the real one's heap, calls, speed, keys and packets.")
-    private boolean ideal;
+    @Mixin private BrickLimitOption brick = new BrickLimitOption();
 
     @Option(
             names = "--timeout",
@@ -30,7 +26,7 @@ public final class BrickRunOptions {
 
     /** Those of the bricks that programs meet. */
     public Limits limits() {
-        return ideal ? Limits.NONE : Limits.OF_THE_BRICK;
+        return brick.limits();
     }
 
     /** How long bricks may keep the PC busy: a program may compute without an end. */

@@ -26,7 +26,15 @@ public final class Diagnostics {
      */
     public static List<org.eclipse.lsp4j.Diagnostic> of(
             OpenModels models, String path, Function<String, String> addresses) {
-        return models.findings(path).stream().map(each -> of(each, addresses)).toList();
+        return of(models.findings(path), addresses);
+    }
+
+    /**
+     * @param addresses of the files that findings are about
+     */
+    public static List<org.eclipse.lsp4j.Diagnostic> of(
+            List<Diagnostic> findings, Function<String, String> addresses) {
+        return findings.stream().map(each -> of(each, addresses)).toList();
     }
 
     static org.eclipse.lsp4j.Diagnostic of(Diagnostic finding, Function<String, String> addresses) {

@@ -2,6 +2,7 @@ package arcomat.editor.desk;
 
 import arcomat.editor.text.Positions;
 import arcomat.pipeline.PathNames;
+import arcomat.pipeline.beside.BesideText;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
@@ -186,6 +187,17 @@ public final class Desk {
     /** The text on the screen, of whatever kind. */
     public Optional<SourceFile> onScreen(Path file) {
         return Optional.ofNullable(screen.get(file));
+    }
+
+    /** A text beside models that is on the screen, by what its name says that it is. */
+    public Optional<BesideText> beside(Path file) {
+        return onScreen(file)
+                .flatMap(text -> new Beside(this::onScreen, models()).text(file, text));
+    }
+
+    /** All that is on the screen. */
+    public Set<Path> onScreen() {
+        return Set.copyOf(screen.keySet());
     }
 
     /** All models, by their roots. */

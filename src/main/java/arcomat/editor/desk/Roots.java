@@ -31,6 +31,10 @@ final class Roots {
     private static final Pattern PACKAGE =
             Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
 
+    /** Where the Gradle plugin looks for models and for tests. */
+    private static final List<Path> SOURCES =
+            List.of(Path.of("src", "main", "arc"), Path.of("src", "test", "arc"));
+
     private final Map<Path, OpenModels> roots = new TreeMap<>();
 
     /** The root of each file. */
@@ -138,7 +142,16 @@ final class Roots {
         Path folder = Objects.requireNonNull(file.getParent());
         Optional<Path> said =
                 packageName.isEmpty() ? Optional.empty() : ModelRoot.of(packageName, file);
-        return said.or(() -> around(folder)).orElse(folder);
+        return together(said.or(() -> around(folder)).orElse(folder));
+    }
+
+    /** Builds keep tests apart from what they are about: both belong to the folder above. */
+    private static Path together(Path root) {
+        return SOURCES.stream()
+                .filter(root::endsWith)
+                .findFirst()
+                .map(sources -> root.resolve("../..").normalize())
+                .orElse(root);
     }
 
     /** The deepest known root that holds a folder. */

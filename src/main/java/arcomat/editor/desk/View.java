@@ -25,6 +25,11 @@ import java.util.function.Function;
 public record View(
         OpenModels models, SourceFile file, Parsed parsed, Function<String, Path> addresses) {
 
+    /** Where editors find the file. */
+    public Path place() {
+        return addresses.apply(file.path());
+    }
+
     /** What was found in the file by the last check. */
     public List<Diagnostic> findings() {
         return models.findings(file.path());

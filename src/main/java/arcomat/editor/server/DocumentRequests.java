@@ -1,22 +1,30 @@
 package arcomat.editor.server;
 
+import arcomat.editor.answer.BesideModels;
 import arcomat.editor.answer.CanonicalLayout;
 import arcomat.editor.answer.Fixes;
 import arcomat.editor.answer.completion.Completion;
+import arcomat.editor.desk.Desk;
 import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.CodeLens;
+import org.eclipse.lsp4j.CodeLensParams;
 import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionList;
 import org.eclipse.lsp4j.CompletionParams;
+import org.eclipse.lsp4j.DefinitionParams;
 import org.eclipse.lsp4j.DidChangeTextDocumentParams;
 import org.eclipse.lsp4j.DidCloseTextDocumentParams;
 import org.eclipse.lsp4j.DidOpenTextDocumentParams;
 import org.eclipse.lsp4j.DidSaveTextDocumentParams;
 import org.eclipse.lsp4j.DocumentFormattingParams;
 import org.eclipse.lsp4j.DocumentRangeFormattingParams;
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.LocationLink;
+import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
@@ -28,10 +36,12 @@ import java.util.function.BooleanSupplier;
 /** What editors say and ask about one file. */
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
+    private final VerdictRequests verdicts;
 
-    DocumentRequests(Worker worker, BooleanSupplier movesFiles) {
+    DocumentRequests(Worker worker, BooleanSupplier movesFiles, VerdictRequests verdicts) {
         super(worker, movesFiles);
         this.worker = worker;
+        this.verdicts = verdicts;
     }
 
     @Override
@@ -74,12 +84,42 @@ final class DocumentRequests extends NameRequests {
     }
 
     @Override
+    public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams params) {
+        return ask(params.getTextDocument(), verdicts::lenses).thenApply(lenses -> lenses);
+    }
+
+    @Override
     public CompletableFuture<Either<List<CompletionItem>, CompletionList>> completion(
             CompletionParams params) {
-        return ask(
-                        params.getTextDocument(),
-                        view -> Completion.at(view, view.offset(params.getPosition())))
+        Position position = params.getPosition();
+        return worker.ask(
+                        (desk, canceled) ->
+                                BesideModels.on(desk, params.getTextDocument())
+                                        .map(text -> text.completion(position))
+                                        .orElseGet(() -> completion(desk, params)))
                 .thenApply(Either::forLeft);
+    }
+
+    private static List<CompletionItem> completion(Desk desk, CompletionParams params) {
+        return Positions.path(params.getTextDocument().getUri())
+                .flatMap(desk::view)
+                .map(view -> Completion.at(view, view.offset(params.getPosition())))
+                .orElse(List.of());
+    }
+
+    @Override
+    public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+            definition(DefinitionParams params) {
+        return worker.ask(
+                        (desk, canceled) ->
+                                BesideModels.on(desk, params.getTextDocument())
+                                        .map(text -> text.definition(params.getPosition())))
+                .thenCompose(
+                        found ->
+                                found.isPresent()
+                                        ? CompletableFuture.completedFuture(
+                                                Either.forLeft(found.get()))
+                                        : super.definition(params));
     }
 
     @Override

@@ -4,9 +4,9 @@ import arcomat.editor.answer.Diagnostics;
 import arcomat.editor.answer.Fixes;
 import arcomat.editor.desk.Desk;
 import arcomat.editor.text.Positions;
+import arcomat.editor.verdict.Verdicts;
 import arcomat.pipeline.recheck.OpenModels;
 
-import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.CodeActionOptions;
 import org.eclipse.lsp4j.CompletionOptions;
@@ -16,12 +16,14 @@ import org.eclipse.lsp4j.FileSystemWatcher;
 import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.InitializeResult;
 import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.MessageParams;
+import org.eclipse.lsp4j.MessageType;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
-import org.eclipse.lsp4j.ResourceOperationKind;
 import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ServerInfo;
+import org.eclipse.lsp4j.ShowDocumentParams;
 import org.eclipse.lsp4j.TextDocumentSyncKind;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.WorkspaceFoldersOptions;
@@ -32,28 +34,38 @@ import org.eclipse.lsp4j.services.LanguageServer;
 import org.eclipse.lsp4j.services.TextDocumentService;
 import org.eclipse.lsp4j.services.WorkspaceService;
 
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
 
 /** The server as the protocol sees it: what it can do, and how it begins and ends. */
 public final class EditorServer implements LanguageServer {
     /** All kinds of files that it wants to hear of. */
     private static final String FILES = "**/*.{arc,cd,ioautomaton,mt,world,script,campaign}";
 
+    /** Who types without a pause wants no verdicts yet. */
+    private static final Duration QUIET = Duration.ofMillis(200);
+
     private final String version;
     private final Worker worker = new Worker(this::publish);
+    private final ScheduledThreadPoolExecutor asking =
+            new ScheduledThreadPoolExecutor(1, new DeepThreads("verdicts"));
+    private final Verdicts verdicts = new Verdicts(asking, QUIET, this::refreshLenses);
+    private final VerdictRequests verdictRequests =
+            new VerdictRequests(worker, verdicts, this::show);
     private final CompletableFuture<Integer> exit = new CompletableFuture<>();
     private final Map<String, List<Diagnostic>> published = new HashMap<>();
 
     @SuppressWarnings("NullAway.Init") // connected before the first message is read
     private LanguageClient client;
 
-    private boolean watches;
-    private volatile boolean movesFiles;
+    private volatile Abilities abilities = Abilities.NONE;
     private boolean shutDown;
 
     /**
@@ -75,8 +87,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
-        watches = canWatch(params.getCapabilities());
-        movesFiles = canMoveFiles(params.getCapabilities());
+        abilities = Abilities.of(params.getCapabilities());
         folders(params).stream()
                 .flatMap(address -> Positions.path(address).stream())
                 .forEach(path -> worker.edit(desk -> desk.add(path)));
@@ -93,21 +104,6 @@ public final class EditorServer implements LanguageServer {
         return params.getRootUri() == null ? List.of() : List.of(params.getRootUri());
     }
 
-    private static boolean canWatch(ClientCapabilities capabilities) {
-        var workspace = capabilities == null ? null : capabilities.getWorkspace();
-        var watching = workspace == null ? null : workspace.getDidChangeWatchedFiles();
-        return watching != null && Boolean.TRUE.equals(watching.getDynamicRegistration());
-    }
-
-    private static boolean canMoveFiles(ClientCapabilities capabilities) {
-        var workspace = capabilities == null ? null : capabilities.getWorkspace();
-        var edits = workspace == null ? null : workspace.getWorkspaceEdit();
-        return edits != null
-                && Boolean.TRUE.equals(edits.getDocumentChanges())
-                && edits.getResourceOperations() != null
-                && edits.getResourceOperations().contains(ResourceOperationKind.Rename);
-    }
-
     private static ServerCapabilities capabilities() {
         ServerCapabilities can = new ServerCapabilities();
         can.setTextDocumentSync(TextDocumentSyncKind.Incremental);
@@ -117,6 +113,7 @@ public final class EditorServer implements LanguageServer {
         can.setDocumentFormattingProvider(true);
         can.setDocumentRangeFormattingProvider(true);
         NameRequests.announce(can);
+        VerdictRequests.announce(can);
         WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
         folders.setSupported(true);
         folders.setChangeNotifications(true);
@@ -126,7 +123,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public void initialized(InitializedParams params) {
-        if (watches) {
+        if (abilities.watches()) {
             var options =
                     new DidChangeWatchedFilesRegistrationOptions(
                             List.of(new FileSystemWatcher(Either.forLeft(FILES))));
@@ -142,7 +139,9 @@ public final class EditorServer implements LanguageServer {
         Set<String> gone = new HashSet<>(published.keySet());
         for (OpenModels models : desk.models()) {
             for (String path : models.checkedPaths()) {
-                if (desk.isShown(models, path)) {
+                // The file system is asked for each address.
+                boolean found = !models.findings(path).isEmpty();
+                if (found && desk.isShown(models, path)) {
                     String address = address(desk, models, path);
                     gone.remove(address);
                     publish(
@@ -151,7 +150,35 @@ public final class EditorServer implements LanguageServer {
                 }
             }
         }
+        for (Path file : desk.onScreen()) {
+            desk.beside(file)
+                    .ifPresent(
+                            text -> {
+                                String address = file.toUri().toString();
+                                gone.remove(address);
+                                publish(address, Diagnostics.of(text.findings(), any -> address));
+                            });
+        }
         gone.forEach(address -> publish(address, List.of()));
+        verdicts.changed(desk);
+    }
+
+    private void refreshLenses() {
+        if (abilities.refreshesLenses()) {
+            var unused = client.refreshCodeLenses();
+        }
+    }
+
+    /** Pages are for browsers; who cannot open anything tells where it is. */
+    private void show(Path sheet) {
+        if (abilities.showsDocuments()) {
+            var document = new ShowDocumentParams(sheet.toUri().toString());
+            document.setExternal(sheet.toString().endsWith(".html"));
+            document.setTakeFocus(true);
+            var unused = client.showDocument(document);
+        } else {
+            client.showMessage(new MessageParams(MessageType.Info, "to be looked at: " + sheet));
+        }
     }
 
     private static String address(Desk desk, OpenModels models, String path) {
@@ -170,6 +197,7 @@ public final class EditorServer implements LanguageServer {
     public CompletableFuture<Object> shutdown() {
         shutDown = true;
         worker.end();
+        asking.shutdownNow();
         return CompletableFuture.completedFuture(null);
     }
 
@@ -181,11 +209,11 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(worker, () -> movesFiles);
+        return new DocumentRequests(worker, () -> abilities.movesFiles(), verdictRequests);
     }
 
     @Override
     public WorkspaceService getWorkspaceService() {
-        return new WorkspaceRequests(worker);
+        return new WorkspaceRequests(worker, verdictRequests);
     }
 }

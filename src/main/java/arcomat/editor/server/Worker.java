@@ -8,6 +8,7 @@ import org.eclipse.lsp4j.jsonrpc.CompletableFutures;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
@@ -19,9 +20,6 @@ import java.util.function.Consumer;
  * check is broken off where something else comes, and begun again after that.
  */
 final class Worker {
-    /** Models nest as deep as their authors like, and what follows them is recursive. */
-    private static final long STACK_BYTES = 512L << 20;
-
     /** Who types on and on sees findings nevertheless. */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(500);
 
@@ -34,11 +32,7 @@ final class Worker {
                     0,
                     TimeUnit.MILLISECONDS,
                     new LinkedBlockingQueue<>(),
-                    work -> {
-                        Thread thread = new Thread(null, work, "desk", STACK_BYTES);
-                        thread.setDaemon(true);
-                        return thread;
-                    });
+                    new DeepThreads("desk"));
 
     private boolean needsCheck;
     private boolean checkIsQueued;
@@ -75,9 +69,14 @@ final class Worker {
 
     /** There is one check in the queue at most, so that two do not wait for one another. */
     private void checkLater() {
-        if (!checkIsQueued) {
-            checkIsQueued = true;
+        if (checkIsQueued) {
+            return;
+        }
+        try {
             executor.execute(this::checkIfIdle);
+            checkIsQueued = true;
+        } catch (RejectedExecutionException over) {
+            // The editor takes its leave, and nobody looks at findings any longer.
         }
     }
 

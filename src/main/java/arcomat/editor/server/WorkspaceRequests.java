@@ -5,18 +5,28 @@ import arcomat.editor.text.Positions;
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
+import org.eclipse.lsp4j.ExecuteCommandParams;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.services.WorkspaceService;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 
 /** What editors say and ask about all files together. */
 final class WorkspaceRequests implements WorkspaceService {
     private final Worker worker;
 
-    WorkspaceRequests(Worker worker) {
+    private final VerdictRequests verdicts;
+
+    WorkspaceRequests(Worker worker, VerdictRequests verdicts) {
         this.worker = worker;
+        this.verdicts = verdicts;
+    }
+
+    @Override
+    public CompletableFuture<Object> executeCommand(ExecuteCommandParams params) {
+        return verdicts.execute(params);
     }
 
     @Override

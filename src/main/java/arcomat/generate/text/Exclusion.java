@@ -4,12 +4,24 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * Whether two conditions can hold together, as far as their form shows it. Where it is shown that
  * they cannot, there is nothing to choose between their transitions.
  */
 public final class Exclusion {
+    /**
+     * By the form of one that is no row: which others contradict it, that deny it as a whole aside.
+     */
+    private static final Formula.Cases<Predicate<Formula>> CONTRADICTING =
+            new Formula.Cases<>(
+                    carries -> other -> presencesContradict(carries, other),
+                    one -> other -> isContradicts(one, other),
+                    one -> other -> other instanceof Formula.Test two && boundsContradict(one, two),
+                    not -> other -> not.operand().equals(other),
+                    row -> other -> false);
+
     private Exclusion() {}
 
     public static boolean contradict(Formula a, Formula b) {
@@ -20,31 +32,46 @@ public final class Exclusion {
             return row.operands().stream().allMatch(o -> contradict(a, o));
         }
         if (a instanceof Formula.Row || b instanceof Formula.Row) {
-            return excludesAsWhole(a, b)
-                    || excludesAsWhole(b, a)
+            return deniesAsWhole(a, b)
+                    || deniesAsWhole(b, a)
                     || a.conjuncts().stream().anyMatch(x -> anyContradicts(x, b.conjuncts()));
         }
-        return contradicts(a, b) || contradicts(b, a);
+        return contradicting(a).test(b);
     }
 
-    private static boolean anyContradicts(Formula literal, List<Formula> others) {
-        return others.stream().anyMatch(other -> contradict(literal, other));
+    private static boolean anyContradicts(Formula conjunct, List<Formula> others) {
+        Predicate<Formula> contradicting = contradicting(conjunct);
+        for (Formula other : others) {
+            boolean row = conjunct instanceof Formula.Row || other instanceof Formula.Row;
+            if (row ? contradict(conjunct, other) : contradicting.test(other)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** One of them says that the other does not hold: rows of an I/O table do. */
-    private static boolean excludesAsWhole(Formula a, Formula b) {
+    private static boolean deniesAsWhole(Formula a, Formula b) {
         return b.conjuncts().contains(new Formula.Not(a));
     }
 
-    /** Whether a formula that is no row contradicts another one that is none, by what it says. */
-    private static boolean contradicts(Formula a, Formula b) {
-        return a.match(
-                new Formula.Cases<>(
-                        carries -> !carries.something() && needsMessage(b, carries.port()),
-                        one -> b instanceof Formula.Is two && valuesContradict(one, two),
-                        one -> b instanceof Formula.Test two && boundsContradict(one, two),
-                        not -> not.operand().equals(b),
-                        row -> false));
+    /** Which formulas that are no rows contradict one that is none. */
+    private static Predicate<Formula> contradicting(Formula one) {
+        Predicate<Formula> byForm = one.match(CONTRADICTING);
+        return other ->
+                byForm.test(other) || other instanceof Formula.Not not && not.operand().equals(one);
+    }
+
+    private static boolean presencesContradict(Formula.Carries one, Formula other) {
+        return one.something()
+                ? other.equals(new Formula.Carries(one.port(), false))
+                : needsMessage(other, one.port());
+    }
+
+    private static boolean isContradicts(Formula.Is one, Formula other) {
+        return other instanceof Formula.Is two
+                ? valuesContradict(one, two)
+                : one.equal() && other.equals(new Formula.Carries(one.port(), false));
     }
 
     private static boolean needsMessage(Formula f, Port port) {

@@ -143,18 +143,23 @@ public final class Simplification {
         List<Formula> strong = new ArrayList<>();
         for (Formula each : conjuncts) {
             present(each).forEach(port -> presences.merge(port, 1, Integer::sum));
-            if (!(each instanceof Formula.Is is) || is.equal()) {
+            if (mayExcludeMessage(each)) {
                 strong.add(each);
             }
         }
         return conjuncts.stream().filter(each -> !isImplied(each, presences, strong)).toList();
     }
 
+    /** Neither does another test, nor that there is another message than one. */
+    private static boolean mayExcludeMessage(Formula f) {
+        return !(f instanceof Formula.Test) && (!(f instanceof Formula.Is is) || is.equal());
+    }
+
     /**
      * Whether a conjunct says no more than another one does.
      *
      * @param presences how many conjuncts say that a port carries a message
-     * @param strong conjuncts that are not only about another message than one
+     * @param strong conjuncts that may exclude that a port carries a certain message
      */
     private static boolean isImplied(
             Formula f, Map<String, Integer> presences, List<Formula> strong) {
@@ -163,9 +168,11 @@ public final class Simplification {
                 && carries.port().type() instanceof Type.EnumType) {
             return Objects.requireNonNull(presences.get(carries.port().name())) > 1;
         }
-        return f instanceof Formula.Is is
-                && !is.equal()
-                && strong.stream().anyMatch(each -> Exclusion.contradict(each, is.negation()));
+        if (!(f instanceof Formula.Is is) || is.equal()) {
+            return false;
+        }
+        Formula.Is opposite = is.negation();
+        return strong.stream().anyMatch(each -> Exclusion.contradict(each, opposite));
     }
 
     /**

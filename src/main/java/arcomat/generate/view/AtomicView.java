@@ -16,6 +16,8 @@ import java.util.List;
  * @param switches whether there is more than one state
  * @param sectionSize number of states per section, where there is more than one section
  * @param conditions methods that conditions of transitions call
+ * @param silences what a slice assigns before anything else, so that outputs carry no message
+ *     unless a transition or the completion sends one
  * @param state field with the code of the state
  * @param taken field with the index of the transition last taken
  * @param traced whether somebody looks at it
@@ -33,6 +35,7 @@ public record AtomicView(
         List<SectionView> sections,
         int sectionSize,
         List<ConditionView> conditions,
+        List<AssignmentView> silences,
         CompletionView completion,
         String state,
         String taken,
@@ -79,7 +82,8 @@ public record AtomicView(
      * @param comment line and text in the model
      * @param condition empty where it holds always
      * @param locals values to be computed before any assignment
-     * @param assignments in an order that needs no further locals
+     * @param assignments in an order that needs no further locals; of outputs, those that carry a
+     *     message, and in the beginning all
      * @param messages event-driven: methods that send, with what they send, before any assignment
      * @param target constant or code of the next state, empty where the state stays
      * @param mark for the line that is reached exactly where the transition has been taken; the

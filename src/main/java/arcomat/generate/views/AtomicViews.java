@@ -12,6 +12,7 @@ import arcomat.generate.view.AtomicView.SectionView;
 import arcomat.generate.view.AtomicView.StateView;
 import arcomat.generate.view.AtomicView.TransitionView;
 import arcomat.generate.view.HeadView;
+import arcomat.generate.view.HeadView.AssignmentView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Variable;
@@ -54,6 +55,7 @@ public final class AtomicViews {
         plan.states().forEach(state -> states.add(state(states.size(), state)));
         int size = MethodSize.statesPerMethod(states);
         List<SectionView> sections = sections(states, size);
+        CompletionView completion = completion(sections);
         return new AtomicView(
                 head,
                 declarations.declared(component.constants()),
@@ -65,7 +67,8 @@ public final class AtomicViews {
                 sections,
                 size,
                 conditions.methods(),
-                completion(sections),
+                silences(completion.reachable()),
+                completion,
                 context.members().state(),
                 context.members().taken(),
                 traced,
@@ -90,7 +93,8 @@ public final class AtomicViews {
     private TransitionView initial(int index, Automaton.Initial initial) {
         String place = component.name() + ", initial" + Fault.line(initial.span());
         Effects.Effect effect =
-                effects.of(context.expressions().at(place), initial.sends(), initial.assignments());
+                effects.ofInitial(
+                        context.expressions().at(place), initial.sends(), initial.assignments());
         return new TransitionView(
                 -1,
                 Places.quote(initial.span()),
@@ -174,7 +178,8 @@ public final class AtomicViews {
                 context.expressions()
                         .at(Fault.place(component, automaton, transition))
                         .where(way.enabled());
-        Effects.Effect effect = effects.of(text, transition.sends(), transition.assignments());
+        Effects.Effect effect =
+                effects.ofTransition(text, transition.sends(), transition.assignments());
         boolean stays = transition.source() == transition.target();
         return new TransitionView(
                 way.index(),
@@ -185,6 +190,15 @@ public final class AtomicViews {
                 effect.assignments(),
                 stays ? "" : label(transition.target()),
                 LineMarks.transition(way.index()));
+    }
+
+    private List<AssignmentView> silences(boolean completes) {
+        return effects.silences(
+                plan.states().stream()
+                        .flatMap(state -> state.ways().stream())
+                        .map(AutomatonPlan.Way::transition)
+                        .toList(),
+                completes);
     }
 
     private CompletionView completion(List<SectionView> sections) {

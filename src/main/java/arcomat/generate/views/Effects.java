@@ -11,11 +11,13 @@ import arcomat.model.Automaton.Send;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.model.Value;
 import arcomat.model.Variable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
@@ -42,12 +44,45 @@ final class Effects {
             List<AssignmentView> messages,
             List<AssignmentView> assignments) {}
 
+    /** What is done before the first slice: each output is set, to a message or to none. */
+    Effect ofInitial(ExpressionWriter text, List<Send> sends, List<Assignment> assignments) {
+        return effect(text, sends, assignments, this::silence);
+    }
+
     /**
-     * What is done.
-     *
-     * @param text of the transition
+     * What a transition does; outputs of which it says nothing are silent, see {@link #silences}.
      */
-    Effect of(ExpressionWriter text, List<Send> sends, List<Assignment> assignments) {
+    Effect ofTransition(ExpressionWriter text, List<Send> sends, List<Assignment> assignments) {
+        return effect(text, sends, assignments, port -> List.of());
+    }
+
+    /**
+     * What comes before anything else in a slice: outputs that it may leave without a message have
+     * none. Said once and not in each transition, the code is shorter, and a processor has one way
+     * less to foresee for each of them.
+     *
+     * @param transitions that may be taken
+     * @param completes whether there may be none
+     */
+    List<AssignmentView> silences(List<Automaton.Transition> transitions, boolean completes) {
+        if (context.isEventDriven()) {
+            return List.of();
+        }
+        Predicate<Port> mayBeSilent =
+                port ->
+                        completes && !isSentByCompletion(port)
+                                || transitions.stream().anyMatch(t -> !isSent(port, t.sends()));
+        return outputs.stream()
+                .filter(mayBeSilent)
+                .flatMap(port -> silence(port).stream())
+                .toList();
+    }
+
+    private Effect effect(
+            ExpressionWriter text,
+            List<Send> sends,
+            List<Assignment> assignments,
+            Function<Port, List<AssignmentView>> unsent) {
         if (context.isEventDriven()) {
             return events(text, sends, assignments);
         }
@@ -56,7 +91,8 @@ final class Effects {
         List<AssignmentView> updates = updates(text, assignments, locals, sendsFirst, false);
         List<AssignmentView> all = new ArrayList<>();
         for (Port port : outputs) {
-            all.addAll(shown(port, messages(text, port, sends)));
+            List<String> messages = messages(text, port, sends);
+            all.addAll(messages.isEmpty() ? unsent.apply(port) : sent(port, messages.get(0)));
         }
         all.addAll(updates);
         return new Effect(locals, List.of(), all);
@@ -91,48 +127,64 @@ final class Effects {
      * be a message.
      */
     private List<String> messages(ExpressionWriter text, Port port, List<Send> sends) {
-        for (Send send : sends) {
-            if (!send.port().name().equals(port.name())) {
-                continue;
-            }
-            if (send.emission() instanceof Automaton.Messages messages) {
-                return messages.values().stream()
-                        .map(value -> text.inRange(value, port.type(), port.name()).text())
-                        .toList();
-            }
-            return anything(port, send.emission() instanceof Automaton.AnyMessage);
+        Optional<Send> send = on(port, sends);
+        if (send.isPresent() && send.get().emission() instanceof Automaton.Messages messages) {
+            return messages.values().stream()
+                    .map(value -> text.inRange(value, port.type(), port.name()).text())
+                    .toList();
         }
-        return anything(port, port.total() && automaton.omitted() == Automaton.Omitted.FREE);
+        return isSent(port, sends) ? List.of(anything(port)) : List.of();
     }
 
-    private List<String> anything(Port port, boolean something) {
-        Value first = port.type().first();
-        return something ? List.of(context.expressions().of(first, port.type()).text()) : List.of();
+    private static Optional<Send> on(Port port, List<Send> sends) {
+        return sends.stream().filter(send -> send.port().name().equals(port.name())).findFirst();
+    }
+
+    private boolean isSent(Port port, List<Send> sends) {
+        boolean omitted = port.total() && automaton.omitted() == Automaton.Omitted.FREE;
+        return on(port, sends)
+                .map(Send::emission)
+                .map(e -> e.match(m -> !m.values().isEmpty(), () -> false, () -> true))
+                .orElse(omitted);
+    }
+
+    private boolean isSentByCompletion(Port port) {
+        return port.total() && automaton.completion() != Automaton.Completion.IGNORE;
+    }
+
+    private String anything(Port port) {
+        return context.expressions().of(port.type().first(), port.type()).text();
     }
 
     /** What is sent where no transition is enabled and no error is asked for. */
     List<AssignmentView> completion() {
-        boolean open = automaton.completion() != Automaton.Completion.IGNORE;
         return context.isEventDriven()
                 ? List.of()
                 : outputs.stream()
-                        .flatMap(port -> shown(port, anything(port, open && port.total())).stream())
+                        .filter(this::isSentByCompletion)
+                        .flatMap(port -> sent(port, anything(port)).stream())
                         .toList();
     }
 
-    /** The fields of a port where it carries the message, or where there is none. */
-    private List<AssignmentView> shown(Port port, List<String> messages) {
+    private List<AssignmentView> sent(Port port, String message) {
         ExpressionWriter text = context.expressions();
-        String field = text.of(port).text();
         List<AssignmentView> fields = new ArrayList<>();
-        if (!messages.isEmpty()) {
-            fields.add(new AssignmentView(field, messages.get(0)));
-        } else if (port.type() instanceof Type.EnumType) {
-            fields.add(new AssignmentView(field, text.express("silence", port.type()).text()));
+        fields.add(new AssignmentView(text.of(port).text(), message));
+        if (!members.flag(port).isEmpty()) {
+            fields.add(new AssignmentView(text.flag(port).text(), text.truth(true)));
+        }
+        return fields;
+    }
+
+    private List<AssignmentView> silence(Port port) {
+        ExpressionWriter text = context.expressions();
+        List<AssignmentView> fields = new ArrayList<>();
+        if (port.type() instanceof Type.EnumType) {
+            String silence = text.express("silence", port.type()).text();
+            fields.add(new AssignmentView(text.of(port).text(), silence));
         }
         if (!members.flag(port).isEmpty()) {
-            String present = text.truth(!messages.isEmpty());
-            fields.add(new AssignmentView(text.flag(port).text(), present));
+            fields.add(new AssignmentView(text.flag(port).text(), text.truth(false)));
         }
         return fields;
     }

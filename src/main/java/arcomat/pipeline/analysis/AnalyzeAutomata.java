@@ -10,6 +10,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
@@ -54,19 +55,24 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     @Override
     public Found answer(LoweredModels models, Session session) throws WrongUse {
         List<Promise> promises = new ArrayList<>();
-        List<Unexamined> unexamined = new ArrayList<>();
         for (String written : components) {
             promises.add(promise(written, models));
         }
-        if (components.isEmpty()) {
-            InstancePromises all = new InstancePromises(models);
-            promises.addAll(all.all());
-            unexamined.addAll(all.withoutArguments());
+        Budget budget = limits.budget();
+        if (!components.isEmpty()) {
+            return examine(promises, List.of(), models, budget, session.progress());
         }
-        if (promises.isEmpty() && unexamined.isEmpty()) {
+        Found all = all(models, budget, session.progress());
+        if (all.examinations().isEmpty() && all.unexamined().isEmpty()) {
             throw new WrongUse("there is no automaton in " + String.join(", ", paths));
         }
-        return examine(promises, unexamined, models, limits, session);
+        return all;
+    }
+
+    /** Of all models that were named. */
+    public static Found all(LoweredModels models, Budget budget, Progress progress) {
+        InstancePromises all = new InstancePromises(models);
+        return examine(all.all(), all.withoutArguments(), models, budget, progress);
     }
 
     private static Promise promise(String written, LoweredModels models) throws WrongUse {
@@ -81,19 +87,19 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     /** What is found about automata and not declared to be meant. */
     public static List<Examination> examine(
             List<Promise> promises, LoweredModels models, AnalysisLimits limits, Session session) {
-        return examine(promises, List.of(), models, limits, session).examinations();
+        return examine(promises, List.of(), models, limits.budget(), session.progress())
+                .examinations();
     }
 
     private static Found examine(
             List<Promise> promises,
             List<Unexamined> unexamined,
             LoweredModels models,
-            AnalysisLimits limits,
-            Session session) {
-        Budget budget = limits.budget();
+            Budget budget,
+            Progress progress) {
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
-            session.progress().step("examining " + promise.title());
+            progress.step("examining " + promise.title());
             examinations.addAll(Analyses.examine(promise, budget));
         }
         List<Diagnostic> all =

@@ -10,10 +10,7 @@ import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Limits;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.script.Action;
-import arcomat.sim.script.ParsedScript;
 import arcomat.sim.script.Script;
-import arcomat.sim.script.ScriptError;
-import arcomat.sim.script.ScriptParser;
 import arcomat.sim.script.Step;
 import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Recorder;
@@ -47,7 +44,6 @@ public record RunJar(
         Duration patience,
         Limits limits)
         implements Task<RunJar.Result> {
-    private static final String BROKEN_SCRIPT = "ARC0808";
     private static final long MILLISECONDS = 1000;
 
     /** How long a run goes on where nothing says, behind the script's last line. */
@@ -101,11 +97,11 @@ public record RunJar(
         Script events = new Script(List.of());
         if (script.isPresent()) {
             SourceFile file = FileReader.required("script", script.get(), session.names());
-            ParsedScript parsed = ScriptParser.parse(file.text());
-            if (parsed.script().isEmpty()) {
-                return new Result(findings(file, parsed.errors()), Optional.empty());
+            ScriptText text = ScriptText.read(file);
+            if (text.script().isEmpty()) {
+                return new Result(text.findings(), Optional.empty());
             }
-            events = parsed.script().get();
+            events = text.script().get();
         }
         PluggedDevices plugged = PluggedDevices.of(devices, session.names());
         if (!plugged.findings().isEmpty()) {
@@ -164,21 +160,5 @@ public record RunJar(
         }
         Step last = steps.get(steps.size() - 1);
         return last.action() instanceof Action.End ? last.time() : last.time() + USUAL;
-    }
-
-    private static List<Diagnostic> findings(SourceFile file, List<ScriptError> errors) {
-        List<Integer> starts = new ArrayList<>(List.of(0));
-        String[] lines = file.text().split("(?<=\\R)", -1);
-        for (String line : lines) {
-            starts.add(starts.get(starts.size() - 1) + line.length());
-        }
-        return errors.stream().map(error -> finding(file, error, starts)).toList();
-    }
-
-    private static Diagnostic finding(SourceFile file, ScriptError error, List<Integer> starts) {
-        int length = file.text().length();
-        int start = Math.min(starts.get(error.line() - 1) + error.column() - 1, length);
-        int end = Math.min(start + error.length(), length);
-        return Diagnostic.error(BROKEN_SCRIPT, file.span(start, end), error.message());
     }
 }

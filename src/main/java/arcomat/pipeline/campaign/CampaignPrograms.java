@@ -4,9 +4,10 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.Variation;
 import arcomat.campaign.Variation.Choice;
 import arcomat.campaign.Variation.Range;
-import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.watch.CampaignCode;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
@@ -15,11 +16,11 @@ import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.world.Kind;
+import arcomat.world.World;
 import arcomat.world.WorldParameter;
 import arcomat.world.WorldParser;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,7 +37,7 @@ import java.util.stream.IntStream;
 final class CampaignPrograms {
     private static final String UNKNOWN = "ARC1133";
     private static final String ENDLESS = "ARC1134";
-    private static final String NO_WORLD = "ARC1135";
+    static final String NO_WORLD = "ARC1135";
 
     /** Each is a world to be read; making a program takes a second. */
     private static final int MOST = 10_000;
@@ -52,7 +53,8 @@ final class CampaignPrograms {
     private final String file;
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
     private final Map<String, Program> programs = new TreeMap<>();
-    private final Map<String, List<AutomatonLines>> automata = new TreeMap<>();
+    private final Map<String, CodeLayout> layouts = new TreeMap<>();
+    private final Map<String, Set<String>> robots = new TreeMap<>();
     private final ProgramCache made = new ProgramCache();
     private final Map<String, Kind.Program> named = new TreeMap<>();
     private Aside aside = Aside.NOTHING;
@@ -67,20 +69,12 @@ final class CampaignPrograms {
     /**
      * What came of it.
      *
-     * @param programs by what worlds say of them
-     * @param automata of those that were made of models, likewise
-     * @param named what worlds say of them
+     * @param code the programs
      * @param findings about the campaign, the world and models
      * @param files how many files were read
      * @param aside models that programs are made without
      */
-    record Result(
-            Map<String, Program> programs,
-            Map<String, List<AutomatonLines>> automata,
-            Collection<Kind.Program> named,
-            List<Diagnostic> findings,
-            int files,
-            Aside aside) {}
+    record Result(CampaignCode code, List<Diagnostic> findings, int files, Aside aside) {}
 
     /**
      * @param file of the world, as the user would write it
@@ -93,15 +87,19 @@ final class CampaignPrograms {
             all.make(session);
         }
         return new Result(
-                all.programs,
-                all.automata,
-                all.named.values(),
+                new CampaignCode(all.named, all.robots, all.programs, all.layouts),
                 List.copyOf(all.findings),
                 all.files,
                 all.aside);
     }
 
     private void requireParameters() {
+        findings.addAll(unknownParameters(campaign, text, file));
+    }
+
+    /** About those that a campaign varies and its world does not have. */
+    static List<Diagnostic> unknownParameters(Campaign campaign, SourceFile text, String file) {
+        List<Diagnostic> findings = new ArrayList<>();
         List<String> known =
                 WorldParser.parameters(text).stream().map(WorldParameter::name).toList();
         for (Variation each : campaign.variations()) {
@@ -115,6 +113,7 @@ final class CampaignPrograms {
                                         .formatted(file, each.parameter(), there)));
             }
         }
+        return findings;
     }
 
     private void make(Session session) throws WrongUse {
@@ -162,7 +161,7 @@ final class CampaignPrograms {
         files = Math.max(files, world.files());
         findings.addAll(world.findings());
         programs.putAll(world.programs());
-        automata.putAll(world.automata());
+        layouts.putAll(world.layouts());
     }
 
     /** What a world with these values names; nothing, where it is no world. */
@@ -170,12 +169,14 @@ final class CampaignPrograms {
         Map<String, Kind.Program> all = new TreeMap<>();
         WorldParser.parse(text, values)
                 .world()
-                .ifPresent(
-                        world ->
-                                world.robots().stream()
-                                        .map(robot -> robot.kind().program())
-                                        .forEach(program -> all.put(program.key(), program)));
+                .ifPresent(world -> world.robots().forEach(robot -> add(robot, all)));
         return all;
+    }
+
+    private void add(World.Robot robot, Map<String, Kind.Program> all) {
+        Kind.Program program = robot.kind().program();
+        all.put(program.key(), program);
+        robots.computeIfAbsent(robot.name(), name -> new TreeSet<>()).add(program.key());
     }
 
     /** A number that is a program's argument names another program between its ends. */

@@ -5,6 +5,7 @@ import arcomat.campaign.coverage.CoverageItems;
 import arcomat.generate.AutomatonLines;
 import arcomat.model.Automaton;
 import arcomat.pipeline.campaign.engine.ItemProbes;
+import arcomat.pipeline.campaign.watch.CampaignCode;
 import arcomat.sim.load.LineProbe;
 import arcomat.source.Span;
 import arcomat.world.Kind;
@@ -24,17 +25,17 @@ import java.util.stream.IntStream;
  */
 record CoveragePlan(CoverageItems items, ItemProbes probes) {
     /**
-     * @param programs the automata of each that was made of models, by what worlds say of it
-     * @param named what worlds say of all of them
+     * @param code the programs of the campaign
      */
-    static CoveragePlan of(
-            Map<String, List<AutomatonLines>> programs, Collection<Kind.Program> named) {
+    static CoveragePlan of(CampaignCode code) {
+        Map<String, List<AutomatonLines>> programs = new TreeMap<>();
+        code.layouts().forEach((program, layout) -> programs.put(program, layout.automata()));
         Map<AutomatonItems, Integer> places = new LinkedHashMap<>();
-        new TreeMap<>(programs)
-                .values()
+        programs.values()
                 .forEach(
                         all -> all.forEach(each -> places.putIfAbsent(items(each), places.size())));
-        CoverageItems items = new CoverageItems(List.copyOf(places.keySet()), jars(named));
+        CoverageItems items =
+                new CoverageItems(List.copyOf(places.keySet()), jars(code.named().values()));
         Map<String, List<LineProbe>> probes = new TreeMap<>();
         programs.forEach(
                 (program, all) -> {

@@ -3,7 +3,6 @@ package arcomat.pipeline.campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judge;
 import arcomat.campaign.Row;
-import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
@@ -19,10 +18,7 @@ import arcomat.report.campaign.CampaignReport;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
@@ -97,7 +93,8 @@ public record MakeCampaign(
                 RowFile rows = folder.rows(ready.campaign(), hash, resumes, seen);
                 Engine engine = engines.apply(ready.freight())) {
             Trials trials = Trials.of(ready.campaign());
-            new Course(judge, seen, rows, engine, trials).run(session);
+            new RunCourse(trials, 0, trials.count(), rows, engine, seen, judge::isDecided)
+                    .run(session);
             CampaignResult result = judged(judge, rows);
             Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
@@ -115,66 +112,6 @@ public record MakeCampaign(
     private static CampaignResult judged(Judge judge, RowFile rows) throws IOException {
         try (ColumnFiles columns = rows.columns()) {
             return judge.result(columns::measured);
-        }
-    }
-
-    /** From the first row that is missing to the last. */
-    private static final class Course {
-        private final Judge judge;
-        private final Consumer<Row> seen;
-        private final RowFile rows;
-        private final Engine engine;
-        private final Trials trials;
-        private final long planned;
-        private final TreeMap<Long, Row> early = new TreeMap<>();
-        private long given;
-
-        Course(Judge judge, Consumer<Row> seen, RowFile rows, Engine engine, Trials trials) {
-            this.judge = judge;
-            this.seen = seen;
-            this.rows = rows;
-            this.engine = engine;
-            this.trials = trials;
-            this.planned = trials.count();
-            this.given = rows.count();
-        }
-
-        void run(Session session) throws IOException {
-            while (rows.count() < planned && !judge.isDecided()) {
-                give();
-                engine.collect(RowsInOrder.LOOK)
-                        .forEach(row -> early.put(row.trial().number(), row));
-                keep();
-                session.progress().goOn();
-                session.progress()
-                        .step(
-                                "%,d of %,d runs, %s"
-                                        .formatted(rows.count(), planned, engine.crew()));
-            }
-        }
-
-        private void give() {
-            long ahead = (long) RowsInOrder.AHEAD * engine.capacity();
-            List<Trial> batch = new ArrayList<>();
-            while (given < planned && given - rows.count() < ahead) {
-                batch.add(trials.trial(given++));
-            }
-            if (!batch.isEmpty()) {
-                engine.submit(batch);
-            }
-        }
-
-        /** Rows are judged in the order of their numbers: who is quicker decides nothing. */
-        private void keep() throws IOException {
-            List<Row> next = new ArrayList<>();
-            long number = rows.count();
-            while (!early.isEmpty() && early.firstKey() == number && !judge.isDecided()) {
-                Row row = early.pollFirstEntry().getValue();
-                seen.accept(row);
-                next.add(row);
-                number++;
-            }
-            rows.add(next);
         }
     }
 }

@@ -82,19 +82,12 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
-        WatchFreight watching =
-                WatchFreight.of(
-                        campaign,
-                        programs.named(),
-                        programs.programs(),
-                        programs.automata(),
-                        worldFile,
-                        session);
+        WatchFreight watching = WatchFreight.of(campaign, programs.code(), world, session);
         findings.addAll(watching.findings());
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
-        CoveragePlan coverage = CoveragePlan.of(watching.automata(), programs.named());
+        CoveragePlan coverage = CoveragePlan.of(watching.code());
         Freight freight =
                 new Freight(
                         version,
@@ -102,8 +95,9 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                         world.text(),
                         limits.equals(Limits.OF_THE_BRICK),
                         patience.toSeconds(),
-                        watching.programs(),
+                        watching.code().programs(),
                         watching.monitors(),
+                        watching.joint(),
                         coverage.probes());
         return new Prepared(
                 findings,

@@ -23,6 +23,7 @@ final class ResultFolder implements AutoCloseable {
     static final String TABLE = "rows.csv";
     static final String TYPED = "rows.parquet";
     private static final String UNFINISHED = "rows.unfinished";
+    private static final String PART = "rows.part";
 
     private final Path folder;
     private final String written;
@@ -49,7 +50,7 @@ final class ResultFolder implements AutoCloseable {
     /**
      * The file of rows to go on with, or a new one.
      *
-     * @param hash of the campaign with all that it depends on
+     * @param hash of the campaign with all that it depends on; of a part, with its runs
      * @param seen is shown the rows that are there already
      */
     RowFile rows(Campaign campaign, String hash, boolean resumes, Consumer<Row> seen)
@@ -65,11 +66,43 @@ final class ResultFolder implements AutoCloseable {
         }
         if (!RowFile.owner(unfinished()).equals(hash)) {
             throw new WrongUse(
-                    "the rows in '%s' belong to another campaign, world, program or version of the"
-                            + " tool; remove %s there to begin anew",
+                    "the rows in '%s' belong to another campaign, part, world, program or version"
+                        + " of the tool; remove %s there to begin anew",
                     written, UNFINISHED);
         }
         return RowFile.resume(unfinished(), campaign, seen);
+    }
+
+    /** All runs of a part have been made. */
+    void keepPart() throws IOException {
+        Files.move(unfinished(), folder.resolve(PART), StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /**
+     * The rows of a part that has been made.
+     *
+     * @param written the folder, as the user wrote it
+     * @param hash of the campaign with all that it depends on
+     * @throws WrongUse where there is none, or one of something else
+     */
+    static Path part(String written, String hash, PathNames names) throws IOException, WrongUse {
+        Path folder = names.resolve(written);
+        Path part = folder.resolve(PART);
+        if (!Files.exists(part)) {
+            throw new WrongUse(
+                    Files.exists(folder.resolve(UNFINISHED))
+                            ? "the part in '%s' has not come to its end: go on with it by --part"
+                                  + " and --resume"
+                            : "there is no part of a campaign in '%s', which --part writes",
+                    written);
+        }
+        if (!PartRows.isOf(hash, part)) {
+            throw new WrongUse(
+                    "the part in '%s' belongs to another campaign, world, program or version of the"
+                            + " tool",
+                    written);
+        }
+        return part;
     }
 
     /** The campaign is over: its table takes the place of an older one. */

@@ -58,7 +58,14 @@ public record CheckedModels(
             Asked asked,
             Function<Workspace, Collection<ComponentSymbol>> executable,
             Session session) {
-        LoadedModels loaded = ModelLoader.load(paths, session);
+        return checkToRun(ModelLoader.load(paths, session), asked, executable, session);
+    }
+
+    private static CheckedModels checkToRun(
+            LoadedModels loaded,
+            Asked asked,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            Session session) {
         CheckedModels all = checkToRun(loaded, executable, session.progress());
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
@@ -66,6 +73,11 @@ public record CheckedModels(
     /** As above, for questions about models: no code is made of them. */
     public static CheckedModels checkToExamine(List<String> paths, Asked asked, Session session) {
         return checkToRun(paths, asked, models -> List.of(), session);
+    }
+
+    /** As above, of models that somebody else has read. */
+    static CheckedModels checkToExamine(LoadedModels loaded, Asked asked, Session session) {
+        return checkToRun(loaded, asked, models -> List.of(), session);
     }
 
     /**

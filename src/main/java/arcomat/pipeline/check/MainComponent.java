@@ -78,7 +78,8 @@ public record MainComponent(Component component, List<Value> arguments) {
             return new MainComponent(deployed.get(0), arguments(deployed.get(0), List.of()));
         }
         throw new WrongUse(
-                "which component is to run? name it with --main; there are " + listing(model));
+                "which component is to run? name it with --main; there are "
+                        + listing(names(model)));
     }
 
     /** By its name alone. */
@@ -100,22 +101,45 @@ public record MainComponent(Component component, List<Value> arguments) {
                     "'%s' names one automaton, and here a whole component is meant; write '%s'",
                     name, name.substring(0, hash));
         }
-        throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
+        throw new WrongUse(missing(name, names(model)));
     }
 
-    private static String hint(String name, Model model) {
-        List<String> names = model.components().stream().map(Component::qualifiedName).toList();
+    /**
+     * Why a name as for {@link #find} means nothing, as far as that is known before the models have
+     * a meaning.
+     */
+    public static Optional<String> obstacle(String written, Workspace models) {
+        Matcher matcher = WRITTEN.matcher(written);
+        if (!matcher.matches() || !symbols(written, models).isEmpty() || !models.isComplete()) {
+            return Optional.empty();
+        }
+        List<String> names =
+                models.components().stream()
+                        .filter(each -> !each.signature().isGeneric())
+                        .map(ComponentSymbol::qualifiedName)
+                        .toList();
+        return Optional.of(missing(matcher.group(1), names));
+    }
+
+    private static String missing(String name, List<String> names) {
+        return "there is no component '" + name + "'" + hint(name, names);
+    }
+
+    private static List<String> names(Model model) {
+        return model.components().stream().map(Component::qualifiedName).toList();
+    }
+
+    private static String hint(String name, List<String> names) {
         // A simple name means the component of that name in whatever package.
         Optional<String> sameSimpleName =
                 names.stream().filter(n -> n.endsWith("." + name)).findFirst();
         return sameSimpleName
                 .or(() -> Nearest.to(name, names))
                 .map(meant -> "; did you mean '" + meant + "'?")
-                .orElseGet(() -> "; there are " + listing(model));
+                .orElseGet(() -> "; there are " + listing(names));
     }
 
-    private static String listing(Model model) {
-        List<String> names = model.components().stream().map(Component::qualifiedName).toList();
+    private static String listing(List<String> names) {
         String listed = names.stream().limit(NAMED_COMPONENTS).collect(Collectors.joining(", "));
         int more = names.size() - NAMED_COMPONENTS;
         return names.isEmpty()

@@ -23,7 +23,15 @@ public interface ModelQuestion<T> extends Task<CheckedAnswer<T>> {
 
     @Override
     default CheckedAnswer<T> run(Session session) throws WrongUse {
-        CheckedModels checked = CheckedModels.checkToExamine(paths(), asked(), session);
+        return answer(CheckedModels.checkToExamine(paths(), asked(), session), session);
+    }
+
+    /** The answer of models that somebody else has read, such as those on a screen. */
+    default CheckedAnswer<T> askAbout(LoadedModels models, Session session) throws WrongUse {
+        return answer(CheckedModels.checkToExamine(models, asked(), session), session);
+    }
+
+    private CheckedAnswer<T> answer(CheckedModels checked, Session session) throws WrongUse {
         return checked.hasErrors()
                 ? CheckedAnswer.refused(checked.result())
                 : CheckedAnswer.of(checked.result(), answer(checked.lower(session), session));

@@ -17,7 +17,7 @@ import java.util.function.Predicate;
  */
 public record ClassFiles(Function<String, Optional<byte[]>> find, Predicate<String> isPackage) {
     /** What this program itself runs on, as far as generated code may use it. */
-    static final ClassFiles RUNTIME =
+    public static final ClassFiles RUNTIME =
             ofThisProgram(
                     List.of("java/", "arcomat/rt/"),
                     Set.of("java", "java/lang", "arcomat", "arcomat/rt"));

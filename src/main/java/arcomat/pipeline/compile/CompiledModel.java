@@ -12,7 +12,6 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.network.Composition;
 import arcomat.source.Diagnostic;
 
-import java.lang.reflect.Array;
 import java.lang.reflect.InvocationTargetException;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -104,23 +103,9 @@ public record CompiledModel(
         }
         String prefix = path.isEmpty() ? "" : path + ".";
         for (Composition.Node node : Composition.of(part).nodes()) {
-            Object inner = object;
-            for (String field :
-                    Objects.requireNonNull(place(part).parts().get(node.path())).split("\\.")) {
-                inner = member(inner, field);
-            }
+            String fields = Objects.requireNonNull(place(part).parts().get(node.path()));
+            Object inner = Slot.follow(object, fields);
             collect(prefix + node.path(), node.component(), inner, parts);
         }
-    }
-
-    /** A field, or an element of an array: {@code cells[3]}. */
-    private static Object member(Object owner, String field) {
-        int bracket = field.indexOf('[');
-        if (bracket < 0) {
-            return new Slot(owner, field).get();
-        }
-        Object array = new Slot(owner, field.substring(0, bracket)).get();
-        int index = Integer.parseInt(field.substring(bracket + 1, field.length() - 1));
-        return Array.get(array, index);
     }
 }

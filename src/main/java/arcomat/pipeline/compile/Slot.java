@@ -1,13 +1,14 @@
 package arcomat.pipeline.compile;
 
+import java.lang.reflect.Array;
 import java.lang.reflect.Field;
 
 /** A field of one object of compiled code. */
-final class Slot {
+public final class Slot {
     private final Object owner;
     private final Field field;
 
-    Slot(Object owner, String name) {
+    public Slot(Object owner, String name) {
         this.owner = owner;
         this.field = find(owner.getClass(), name);
         field.setAccessible(true);
@@ -25,7 +26,27 @@ final class Slot {
         }
     }
 
-    Object get() {
+    /** The object to which fields lead, with dots between them: {@code section.cells[3]}. */
+    public static Object follow(Object owner, String fields) {
+        Object object = owner;
+        for (String field : fields.split("\\.")) {
+            object = member(object, field);
+        }
+        return object;
+    }
+
+    /** A field, or an element of an array: {@code cells[3]}. */
+    private static Object member(Object owner, String field) {
+        int bracket = field.indexOf('[');
+        if (bracket < 0) {
+            return new Slot(owner, field).get();
+        }
+        Object array = new Slot(owner, field.substring(0, bracket)).get();
+        int index = Integer.parseInt(field.substring(bracket + 1, field.length() - 1));
+        return Array.get(array, index);
+    }
+
+    public Object get() {
         try {
             return field.get(owner);
         } catch (IllegalAccessException e) {
@@ -37,7 +58,7 @@ final class Slot {
         return ((Number) get()).intValue();
     }
 
-    void set(Object value) {
+    public void set(Object value) {
         try {
             field.set(owner, value);
         } catch (IllegalAccessException e) {

@@ -18,9 +18,10 @@ import java.util.List;
  * compared.
  *
  * @param files as the user wrote them
+ * @param limits those of a brick that programs meet
  * @param version of the tool
  */
-public record PrepareGateCampaigns(List<String> files, String version)
+public record PrepareGateCampaigns(List<String> files, Limits limits, String version)
         implements Task<PrepareGateCampaigns.Prepared> {
     /**
      * A campaign that can be run.
@@ -52,8 +53,7 @@ public record PrepareGateCampaigns(List<String> files, String version)
         for (String file : files) {
             PrepareCampaign.Prepared prepared =
                     session.run(
-                            new PrepareCampaign(
-                                    file, Limits.OF_THE_BRICK, PrepareCampaign.PATIENCE, version));
+                            new PrepareCampaign(file, limits, PrepareCampaign.PATIENCE, version));
             prepared.findings().stream().filter(Diagnostic::isError).forEach(errors::add);
             aside = aside.and(prepared.aside());
             if (prepared.ready().isPresent()) {

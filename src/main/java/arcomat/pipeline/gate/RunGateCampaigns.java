@@ -8,6 +8,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign;
+import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.ThreadEngine;
 import arcomat.pipeline.campaign.engine.TrialRunner;
@@ -16,12 +17,16 @@ import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 
 /**
- * Makes the runs of campaigns that a gate names, on all processors. What is searched for, or split
- * into levels, requires nothing and is left to whoever looks at the campaign itself.
+ * Makes the runs of campaigns that a gate names. What is searched for, or split into levels,
+ * requires nothing and is left to whoever looks at the campaign itself.
+ *
+ * @param engines who makes the runs
  */
-public record RunGateCampaigns(List<PrepareGateCampaigns.Named> campaigns)
+public record RunGateCampaigns(
+        List<PrepareGateCampaigns.Named> campaigns, Function<Freight, Engine> engines)
         implements Task<RunGateCampaigns.Result> {
     private static final String NOT_SHOWN = "ARC1105";
 
@@ -56,15 +61,15 @@ public record RunGateCampaigns(List<PrepareGateCampaigns.Named> campaigns)
         return new Result(reports, findings);
     }
 
-    private static CampaignReport report(PrepareGateCampaigns.Named named, Session session)
+    private CampaignReport report(PrepareGateCampaigns.Named named, Session session)
             throws WrongUse {
         PrepareCampaign.Ready ready = named.ready();
-        MakeCampaign.Made made =
-                session.run(new MakeCampaign(ready, "", false, RunGateCampaigns::engine));
+        MakeCampaign.Made made = session.run(new MakeCampaign(ready, "", false, engines));
         return made.report(named.file(), ready, FurtherRuns.Found.nothing(ready.items()));
     }
 
-    private static ThreadEngine engine(Freight freight) {
+    /** By threads of this process, one for each processor. */
+    public static Engine onAllProcessors(Freight freight) {
         return new ThreadEngine(
                 Runtime.getRuntime().availableProcessors(), new TrialRunner(freight));
     }

@@ -7,7 +7,6 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
-import arcomat.semantics.network.Composition;
 
 import org.jspecify.annotations.Nullable;
 
@@ -99,10 +98,7 @@ public final class WatchedParts {
     /** Parts of a program by their path; the whole has none. */
     private Map<String, Component> places(
             Component program, Optional<String> part, Component required) {
-        Map<String, Component> all = new LinkedHashMap<>();
-        all.put("", program);
-        collect(program, "", all);
-        Map<String, Component> places = new LinkedHashMap<>(all);
+        Map<String, Component> places = new LinkedHashMap<>(ProgramParts.of(program));
         if (part.isPresent()) {
             places.keySet().removeIf(path -> !path.equals(part.get()));
             return places;
@@ -111,16 +107,6 @@ public final class WatchedParts {
         return places.isEmpty() && !required.ports().isEmpty() && hasPorts(program, required)
                 ? Map.of("", program)
                 : places;
-    }
-
-    private static void collect(Component component, String path, Map<String, Component> all) {
-        boolean slices = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
-        if (component.isComposite() && !component.platform() && slices) {
-            for (Composition.Node node : Composition.of(component).nodes()) {
-                all.put(path + node.path(), node.component());
-                collect(node.component(), path + node.path() + ".", all);
-            }
-        }
     }
 
     /** Whether it is the same, or says that it refines it, be it in several steps. */

@@ -36,7 +36,7 @@ public final class Watches {
     }
 
     /** What can be watched for: automata. */
-    static Promise promise(String written, LoweredModels models) throws WrongUse {
+    public static Promise promise(String written, LoweredModels models) throws WrongUse {
         Promise promise = PromiseReference.parse(written).automataIn(models);
         Component component = promise.component();
         String name = "component '" + component.qualifiedName() + "'";

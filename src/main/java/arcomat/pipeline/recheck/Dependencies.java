@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.Function;
 
 /**
  * Which files can see a change of which, judged by the words in their texts: a file refers to
@@ -18,39 +19,63 @@ import java.util.Set;
  * than the names that are resolved, but it holds for names that appear, vanish, move or hide others
  * just as well.
  */
-final class Dependencies {
+public final class Dependencies {
     private final Map<String, FileInterface> files = new LinkedHashMap<>();
-    private final Map<String, List<String>> claimants;
+    private final Set<String> named = new HashSet<>();
+    private final Map<String, List<String>> claiming = new HashMap<>();
+
+    /** By the last word of what is offered: whoever refers to it mentions that word, too. */
+    private final Map<String, List<String>> offering = new HashMap<>();
 
     Dependencies(Collection<CheckState.File> files) {
-        files.forEach(file -> this.files.put(file.path(), FileInterface.of(file)));
-        this.claimants = claimants();
+        for (CheckState.File file : files) {
+            String path = file.path();
+            FileInterface face = FileInterface.of(file);
+            this.files.put(path, face);
+            face.claims().forEach(claim -> add(claiming, claim, path));
+            face.offers().forEach(offer -> add(offering, offer.get(offer.size() - 1), path));
+            if (file.named()) {
+                named.add(path);
+            }
+        }
+    }
+
+    public static Dependencies of(CheckState state) {
+        return new Dependencies(state.files());
+    }
+
+    private static void add(Map<String, List<String>> index, String key, String path) {
+        index.computeIfAbsent(key, any -> new ArrayList<>(1)).add(path);
+    }
+
+    /** The files that the user named. */
+    public Set<String> named() {
+        return Set.copyOf(named);
     }
 
     /**
-     * Files, those that claim the same as one of them, and all that they refer to, over any number
-     * of steps.
+     * Those of the paths that are there, and all that they refer to, over any number of steps; with
+     * whoever claims the same as one of them.
      */
-    Set<String> neededBy(Set<String> paths) {
-        Set<String> needed = new HashSet<>(paths);
-        for (String path : paths) {
-            Objects.requireNonNull(files.get(path))
-                    .claims()
-                    .forEach(claim -> needed.addAll(Objects.requireNonNull(claimants.get(claim))));
-        }
-        Deque<String> open = new ArrayDeque<>(needed);
-        while (!open.isEmpty() && needed.size() < files.size()) {
-            Set<String> mentions = Objects.requireNonNull(files.get(open.remove())).mentions();
-            files.forEach(
-                    (path, other) -> {
-                        if (!needed.contains(path)
-                                && other.offers().stream().anyMatch(mentions::containsAll)) {
-                            needed.add(path);
-                            open.add(path);
-                        }
-                    });
-        }
-        return needed;
+    public Set<String> neededBy(Collection<String> paths) {
+        return reached(paths, path -> neededBy(file(path)));
+    }
+
+    /**
+     * Those of the paths that are there, all that they refer to, and all that refer to one of
+     * these, over any number of steps: what is said about these files depends on no other ones.
+     */
+    public Set<String> connectedWith(Collection<String> paths) {
+        Map<String, List<String>> connected = new HashMap<>();
+        files.forEach(
+                (path, file) ->
+                        neededBy(file)
+                                .forEach(
+                                        other -> {
+                                            add(connected, path, other);
+                                            add(connected, other, path);
+                                        }));
+        return reached(paths, path -> connected.getOrDefault(path, List.of()));
     }
 
     /**
@@ -60,40 +85,59 @@ final class Dependencies {
      * @param changed references of what changed, before and now
      */
     Set<String> affectedBy(Collection<FileInterface> changed) {
-        Set<String> affected = new HashSet<>();
+        Set<String> spared = new HashSet<>(files.keySet());
         Deque<FileInterface> open = new ArrayDeque<>(changed);
         while (!open.isEmpty()) {
             FileInterface current = open.remove();
-            List<String> fresh = new ArrayList<>();
-            for (String claim : current.claims()) {
-                claimants.getOrDefault(claim, List.of()).stream()
-                        .filter(affected::add)
-                        .forEach(fresh::add);
-            }
-            files.forEach(
-                    (path, other) -> {
-                        if (!affected.contains(path) && refers(other, current)) {
-                            affected.add(path);
-                            fresh.add(path);
-                        }
-                    });
-            fresh.forEach(path -> open.add(Objects.requireNonNull(files.get(path))));
+            Set<String> touched = new HashSet<>(claimants(current));
+            spared.stream().filter(path -> refers(file(path), current)).forEach(touched::add);
+            touched.stream().filter(spared::remove).map(this::file).forEach(open::add);
         }
+        Set<String> affected = new HashSet<>(files.keySet());
+        affected.removeAll(spared);
         return affected;
+    }
+
+    /** Whether a text with these words may refer to one of the files. */
+    public boolean isMentioned(Collection<String> paths, Set<String> words) {
+        return paths.stream()
+                .filter(files::containsKey)
+                .flatMap(path -> file(path).offers().stream())
+                .anyMatch(words::containsAll);
+    }
+
+    private FileInterface file(String path) {
+        return Objects.requireNonNull(files.get(path));
+    }
+
+    private Set<String> reached(
+            Collection<String> paths, Function<String, Collection<String>> next) {
+        Set<String> reached = new HashSet<>(paths);
+        reached.retainAll(files.keySet());
+        Deque<String> open = new ArrayDeque<>(reached);
+        while (!open.isEmpty()) {
+            next.apply(open.remove()).stream().filter(reached::add).forEach(open::add);
+        }
+        return reached;
+    }
+
+    private List<String> neededBy(FileInterface file) {
+        List<String> needed = claimants(file);
+        for (String word : file.mentions()) {
+            offering.getOrDefault(word, List.of()).stream()
+                    .filter(other -> refers(file, file(other)))
+                    .forEach(needed::add);
+        }
+        return needed;
+    }
+
+    private List<String> claimants(FileInterface file) {
+        List<String> claimants = new ArrayList<>();
+        file.claims().forEach(claim -> claimants.addAll(claiming.getOrDefault(claim, List.of())));
+        return claimants;
     }
 
     private static boolean refers(FileInterface from, FileInterface to) {
         return to.offers().stream().anyMatch(from.mentions()::containsAll);
-    }
-
-    private Map<String, List<String>> claimants() {
-        Map<String, List<String>> claimants = new HashMap<>();
-        files.forEach(
-                (path, file) -> {
-                    for (String claim : file.claims()) {
-                        claimants.computeIfAbsent(claim, any -> new ArrayList<>(1)).add(path);
-                    }
-                });
-        return claimants;
     }
 }

@@ -1,7 +1,7 @@
 package arcomat.pipeline.watch;
 
 import arcomat.pipeline.recheck.CheckState;
-import arcomat.pipeline.recheck.Neighbours;
+import arcomat.pipeline.recheck.Dependencies;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -37,16 +37,16 @@ final class Agenda {
     }
 
     /** Suites that are there. */
-    Set<String> suites(Neighbours now) {
+    Set<String> suites(Dependencies now) {
         suites.retainAll(now.named());
         return Set.copyOf(suites);
     }
 
     /** All files that the answers to promises may depend on; named ones only. */
-    Set<String> scope(Neighbours now) {
+    Set<String> scope(Dependencies now) {
         Set<String> scope = new HashSet<>(touched);
         for (CheckState old : before) {
-            scope.addAll(Neighbours.of(old).connectedWith(scope));
+            scope.addAll(Dependencies.of(old).connectedWith(scope));
         }
         Set<String> connected = new HashSet<>(now.connectedWith(scope));
         connected.retainAll(now.named());

@@ -1,9 +1,10 @@
 package arcomat.pipeline.watch;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.recheck.CheckState;
-import arcomat.pipeline.recheck.Neighbours;
+import arcomat.pipeline.recheck.Dependencies;
 import arcomat.pipeline.watch.Listener.Done;
 import arcomat.pipeline.watch.WatchStatus.State;
 import arcomat.pipeline.watch.WatchStatus.Step;
@@ -97,11 +98,11 @@ final class Blackboard {
         states.put(Step.WORLD, agenda.hasWorlds() ? State.ASKED : State.DONE);
     }
 
-    synchronized Set<String> suites(Neighbours now) {
+    synchronized Set<String> suites(Dependencies now) {
         return agenda.suites(now);
     }
 
-    synchronized Set<String> scope(Neighbours now) {
+    synchronized Set<String> scope(Dependencies now) {
         return agenda.scope(now);
     }
 

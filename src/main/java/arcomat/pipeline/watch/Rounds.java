@@ -1,14 +1,15 @@
 package arcomat.pipeline.watch;
 
 import arcomat.check.law.Profile;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.check.WrittenNames;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.CheckMemory;
+import arcomat.pipeline.recheck.Dependencies;
 import arcomat.pipeline.recheck.IncrementalCheck;
-import arcomat.pipeline.recheck.Neighbours;
 
 import org.jspecify.annotations.Nullable;
 
@@ -74,12 +75,12 @@ final class Rounds {
                         .run(memory);
         board.checked(
                 outcome.result(), outcome.checked(), outcome.state(), System.nanoTime() - begun);
-        Neighbours files = Neighbours.of(outcome.state());
+        Dependencies files = Dependencies.of(outcome.state());
         touchWorlds(changed, outcome.checked(), files, all);
         begin(files);
     }
 
-    private void begin(Neighbours files) {
+    private void begin(Dependencies files) {
         current = new Interruption();
         Runnable steps = new SlowSteps(board, files, names, limits, current);
         Thread thread = new Thread(null, steps, "arcomat-watch", STACK_BYTES);
@@ -96,7 +97,7 @@ final class Rounds {
     }
 
     private void touchWorlds(
-            Collection<Path> changed, List<String> models, Neighbours files, boolean all) {
+            Collection<Path> changed, List<String> models, Dependencies files, boolean all) {
         Map<String, Path> there = new TreeMap<>();
         watched.stamps().keySet().stream()
                 .filter(WatchedFiles::isWorld)
@@ -113,7 +114,7 @@ final class Rounds {
     }
 
     /** Whether the text of a world names one of the models. */
-    private boolean uses(Path world, List<String> models, Neighbours files) {
+    private boolean uses(Path world, List<String> models, Dependencies files) {
         return FileReader.read(world, shown(world))
                 .file()
                 .filter(text -> files.isMentioned(models, WrittenNames.in(text.text())))

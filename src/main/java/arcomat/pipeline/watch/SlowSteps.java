@@ -1,13 +1,14 @@
 package arcomat.pipeline.watch;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.recheck.Neighbours;
+import arcomat.pipeline.recheck.Dependencies;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.time.OutOfPatience;
@@ -27,7 +28,7 @@ import java.util.concurrent.CancellationException;
  */
 record SlowSteps(
         Blackboard board,
-        Neighbours files,
+        Dependencies files,
         PathNames names,
         AnalysisLimits limits,
         Interruption interruption)

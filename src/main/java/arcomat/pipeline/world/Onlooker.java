@@ -21,9 +21,12 @@ public interface Onlooker {
     /**
      * A program has come to a method at which it has a probe.
      *
-     * @param type full name of the class of the method's object
+     * @param object the program's own, on which the method was called; to be looked at
      */
-    default void entered(String robot, String type, String method) {}
+    default void entered(String robot, Object object, String method) {}
+
+    /** It has come to the end of that method, other than by an exception. */
+    default void left(String robot, Object object, String method) {}
 
     /**
      * Told at the end, if it comes to one.

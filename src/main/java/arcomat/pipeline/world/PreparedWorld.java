@@ -1,6 +1,6 @@
 package arcomat.pipeline.world;
 
-import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
 import arcomat.sim.Laboratory;
@@ -99,19 +99,18 @@ public final class PreparedWorld {
     }
 
     /**
-     * Where programs that were made of models have the automata of these, by {@link
-     * Kind.Program#key}.
+     * Where programs that were made of models have what these have, by {@link Kind.Program#key}.
      */
-    public Map<String, List<AutomatonLines>> automata() {
-        Map<String, List<AutomatonLines>> automata = new TreeMap<>();
+    public Map<String, CodeLayout> layouts() {
+        Map<String, CodeLayout> layouts = new TreeMap<>();
         if (world != null) {
             for (World.Robot robot : world.robots()) {
                 Objects.requireNonNull(equipment.get(robot.name()))
-                        .automata()
-                        .ifPresent(all -> automata.put(robot.kind().program().key(), all));
+                        .layout()
+                        .ifPresent(each -> layouts.put(robot.kind().program().key(), each));
             }
         }
-        return automata;
+        return layouts;
     }
 
     /** About the world, and about the models of its robots. */

@@ -1,6 +1,6 @@
 package arcomat.pipeline.world;
 
-import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
@@ -56,12 +56,12 @@ public final class ProgramCache {
      * What came of it.
      *
      * @param program null where a finding says why there is none
-     * @param automata where its code has those of its models; empty for a jar that was given
+     * @param layout where its code has what its models have; empty for a jar that was given
      * @param findings about the program, not about its models
      */
     record Made(
             @Nullable LoadedProgram program,
-            Optional<List<AutomatonLines>> automata,
+            Optional<CodeLayout> layout,
             List<Diagnostic> findings) {
         static final Made NOTHING = none(List.of());
 
@@ -166,12 +166,10 @@ public final class ProgramCache {
         }
         String path = built.robots().get(0).jar();
         byte[] jar = Objects.requireNonNull(built.jars().get(path));
-        List<AutomatonLines> automata = generation.layout().automata();
-        return checked(JarReader.made(path, jar), Optional.of(automata), findings);
+        return checked(JarReader.made(path, jar), Optional.of(generation.layout()), findings);
     }
 
-    private static Made checked(
-            JarReader jar, Optional<List<AutomatonLines>> automata, List<Diagnostic> before)
+    private static Made checked(JarReader jar, Optional<CodeLayout> layout, List<Diagnostic> before)
             throws WrongUse {
         List<Diagnostic> obstacles = jar.report().obstacles();
         List<Diagnostic> findings = new ArrayList<>(before);
@@ -185,6 +183,6 @@ public final class ProgramCache {
                     "'%s' is no robot's jar: it names the main class %s and does not contain it",
                     jar.shown(), program.mainClass());
         }
-        return new Made(LoadedProgram.forMany(program), automata, findings);
+        return new Made(LoadedProgram.forMany(program), layout, findings);
     }
 }

@@ -37,8 +37,13 @@ final class WorldCounter implements Witness {
             }
 
             @Override
-            public void entered(long time, String type, String method) {
-                beside.entered(robot.name(), type, method);
+            public void entered(long time, Object object, String method) {
+                beside.entered(robot.name(), object, method);
+            }
+
+            @Override
+            public void left(long time, Object object, String method) {
+                beside.left(robot.name(), object, method);
             }
 
             @Override

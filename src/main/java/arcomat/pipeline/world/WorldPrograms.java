@@ -1,6 +1,6 @@
 package arcomat.pipeline.world;
 
-import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.brick.PluggedDevices;
@@ -31,7 +31,7 @@ import java.util.function.Supplier;
 
 /** Brings the programs of a world's robots: reads jars, or makes them of models; and devices. */
 final class WorldPrograms {
-    private static final String NO_PROGRAM = "ARC1125";
+    static final String NO_PROGRAM = "ARC1125";
     private static final String STRANGER =
             "a device in Java runs with all your rights; read it, and run the world with"
                     + " --run-devices";
@@ -57,12 +57,10 @@ final class WorldPrograms {
     /**
      * What the brick of a robot is given: its program, and devices that a team has described.
      *
-     * @param automata where its program has those of its models; empty for a jar that was given
+     * @param layout where its program has what its models have; empty for a jar that was given
      */
     record Equipment(
-            @Nullable LoadedProgram program,
-            Optional<List<AutomatonLines>> automata,
-            PluggedDevices devices) {}
+            @Nullable LoadedProgram program, Optional<CodeLayout> layout, PluggedDevices devices) {}
 
     /**
      * What came of it.
@@ -103,7 +101,7 @@ final class WorldPrograms {
                     robot.name(),
                     new Equipment(
                             made.program(),
-                            made.automata(),
+                            made.layout(),
                             Objects.requireNonNull(devices.get(robot.kind().name()))));
         }
         int files = 0;

@@ -68,19 +68,10 @@ public final class StreamTestPage {
                     case VACUOUS, UNKNOWN -> Tone.OPEN;
                     case FAILED -> Tone.BAD;
                 },
-                headline(),
+                StreamTestText.line(result),
                 remarks(),
                 timeline,
                 tracks.drawings(pictures));
-    }
-
-    private String headline() {
-        return switch (result.verdict()) {
-            case PASSED -> "passed";
-            case VACUOUS -> "passed, vacuous: " + StreamTestText.vacuous(result);
-            case FAILED -> "failed: " + StreamTestText.reason(result);
-            case UNKNOWN -> "unknown: " + StreamTestText.reason(result);
-        };
     }
 
     private List<Remark> remarks() {

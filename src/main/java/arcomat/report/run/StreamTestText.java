@@ -51,6 +51,16 @@ public final class StreamTestText {
         return ": " + Printable.escape(reason(result));
     }
 
+    /** In a line, for somebody who sees beside it which test it is about. */
+    public static String line(StreamTestResult result) {
+        return switch (result.verdict()) {
+            case PASSED -> "passed";
+            case VACUOUS -> "passed, vacuous: " + vacuous(result);
+            case FAILED -> "failed: " + reason(result);
+            case UNKNOWN -> "unknown: " + reason(result);
+        };
+    }
+
     /** From when on a test passes only because anything would. */
     static String vacuous(StreamTestResult result) {
         boolean timed = result.test().component().profile() == Component.Profile.TIME_SYNCHRONOUS;

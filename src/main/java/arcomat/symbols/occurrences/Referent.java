@@ -50,16 +50,36 @@ public sealed interface Referent {
         TEST
     }
 
-    Kind kind();
-
-    /** The simple name. */
-    String name();
-
     /**
-     * Where the name is declared; where the type is, if the name is implicit. Empty for packages,
-     * which are there by being named, and for types that are built in.
+     * What each has.
+     *
+     * @param name the simple one
+     * @param place where the name is declared; where the type is, if the name is implicit. Empty
+     *     for packages, which are there by being named, and for types that are built in.
      */
-    Optional<Span> declaration();
+    record Declared(Kind kind, String name, Optional<Span> place) {
+        private static Declared at(Span place, Kind kind, String name) {
+            return new Declared(kind, name, Optional.of(place));
+        }
+
+        private static Declared nowhere(Kind kind, String name) {
+            return new Declared(kind, name, Optional.empty());
+        }
+    }
+
+    Declared declared();
+
+    default Kind kind() {
+        return declared().kind();
+    }
+
+    default String name() {
+        return declared().name();
+    }
+
+    default Optional<Span> declaration() {
+        return declared().place();
+    }
 
     /** Whether it has its name from its type, which alone is written. */
     default boolean isImplicit() {
@@ -100,18 +120,9 @@ public sealed interface Referent {
     /** One of the names in a path of packages, with all in front of it. */
     record PackageName(String qualifiedName) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.PACKAGE;
-        }
-
-        @Override
-        public String name() {
-            return qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1);
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.empty();
+        public Declared declared() {
+            return Declared.nowhere(
+                    Kind.PACKAGE, qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1));
         }
 
         @Override
@@ -122,18 +133,8 @@ public sealed interface Referent {
 
     record Component(Signature signature) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.COMPONENT;
-        }
-
-        @Override
-        public String name() {
-            return signature.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(signature.nameSpan());
+        public Declared declared() {
+            return Declared.at(signature.nameSpan(), Kind.COMPONENT, signature.name());
         }
 
         @Override
@@ -147,18 +148,8 @@ public sealed interface Referent {
 
     record Diagram(Name written, String qualifiedName) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.DIAGRAM;
-        }
-
-        @Override
-        public String name() {
-            return written.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written.span());
+        public Declared declared() {
+            return Declared.at(written.span(), Kind.DIAGRAM, written.text());
         }
 
         @Override
@@ -169,18 +160,8 @@ public sealed interface Referent {
 
     record Type(DefinedType symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.TYPE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.TYPE, symbol.text());
         }
 
         @Override
@@ -192,18 +173,8 @@ public sealed interface Referent {
 
     record Builtin(BuiltinType type) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.BUILTIN;
-        }
-
-        @Override
-        public String name() {
-            return type.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.empty();
+        public Declared declared() {
+            return Declared.nowhere(Kind.BUILTIN, type.text());
         }
 
         @Override
@@ -214,18 +185,8 @@ public sealed interface Referent {
 
     record TypeParameter(TypeVariable variable) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.TYPE_PARAMETER;
-        }
-
-        @Override
-        public String name() {
-            return variable.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(variable.node().name().span());
+        public Declared declared() {
+            return Declared.at(variable.node().name().span(), Kind.TYPE_PARAMETER, variable.text());
         }
     }
 
@@ -235,18 +196,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.CONSTANT;
-        }
-
-        @Override
-        public String name() {
-            return written().text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written().span());
+        public Declared declared() {
+            return Declared.at(written().span(), Kind.CONSTANT, written().text());
         }
 
         @Override
@@ -262,18 +213,8 @@ public sealed interface Referent {
 
     record Attribute(AttributeSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.ATTRIBUTE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.ATTRIBUTE, symbol.name());
         }
 
         @Override
@@ -287,18 +228,8 @@ public sealed interface Referent {
      */
     record Port(PortSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.PORT;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PORT, symbol.name());
         }
 
         @Override
@@ -314,18 +245,8 @@ public sealed interface Referent {
 
     record Part(InstanceSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.PART;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PART, symbol.name());
         }
 
         @Override
@@ -342,18 +263,8 @@ public sealed interface Referent {
     /** Of an automaton, or a constant of a component. */
     record Variable(VariableSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.VARIABLE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.VARIABLE, symbol.name());
         }
 
         @Override
@@ -364,18 +275,8 @@ public sealed interface Referent {
 
     record Parameter(ParameterSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.PARAMETER;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PARAMETER, symbol.name());
         }
 
         @Override
@@ -386,87 +287,37 @@ public sealed interface Referent {
 
     record State(AutomatonSymbol automaton, StateSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.STATE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.STATE, symbol.name());
         }
     }
 
     /** An automaton or an {@code implementation} with a name, to which nothing can refer. */
     record Behaviour(Name written) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.BEHAVIOUR;
-        }
-
-        @Override
-        public String name() {
-            return written.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written.span());
+        public Declared declared() {
+            return Declared.at(written.span(), Kind.BEHAVIOUR, written.text());
         }
     }
 
     record Invariant(InvariantSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.INVARIANT;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.INVARIANT, symbol.name());
         }
     }
 
     record Suite(TestSuiteSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.SUITE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.SUITE, symbol.name());
         }
     }
 
     record Test(StreamTestSymbol symbol) implements Referent {
         @Override
-        public Kind kind() {
-            return Kind.TEST;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.TEST, symbol.name());
         }
     }
 }

@@ -38,6 +38,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /**
@@ -55,6 +56,10 @@ class WatchedRobotTest {
                     "coffee.fetcher.LineStatusComp(45)",
                     "coffee.fetcher.CupHolder",
                     "coffee.fetcher.Drive");
+
+    private static final Pattern MILLISECONDS =
+            Pattern.compile("(?<=^ {0,9})\\d+", Pattern.MULTILINE);
+    private static final int CYCLE = 100;
 
     @TempDir private Path folder;
 
@@ -129,6 +134,13 @@ class WatchedRobotTest {
         assertThat(shown.replace(" ", "")).isEqualTo(said.replace(" ", "")).startsWith("slice7:");
     }
 
+    /** Who watches works longer in a slice: the same happens, if not in the same millisecond. */
+    private static String inSlices(String trace) {
+        return MILLISECONDS
+                .matcher(trace)
+                .replaceAll(time -> String.valueOf(Integer.parseInt(time.group()) / CYCLE));
+    }
+
     /** Each part keeps what it is, delayed or not, and what it refines. */
     @Test
     void theFetcherKeepsWhatItsPartsAre() throws Exception {
@@ -136,8 +148,8 @@ class WatchedRobotTest {
         RunJar.Run run = run(jar, "models/coffee/scripts/fetcher.script");
         assertThat(run.screen()).isEmpty();
         String trace = BrickTraceText.render(run.trace(), Style.PLAIN);
-        assertThat(Files.readString(Path.of("src/test/resources/robots/fetcher.txt")))
-                .startsWith(trace);
+        assertThat(inSlices(Files.readString(Path.of("src/test/resources/robots/fetcher.txt"))))
+                .startsWith(inSlices(trace));
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.ItemProbes;
+import arcomat.pipeline.campaign.joint.JointFreight;
 import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.Program;
 
@@ -61,7 +62,16 @@ class FreightTest {
     private static Freight covering(int transitions, LineProbe... probes) {
         ItemProbes coverage =
                 new ItemProbes(transitions, Map.of("key /\n", List.of(probes), "other", List.of()));
-        return new Freight("1", "", "", true, 30, Map.of("key /\n", PROGRAM), Map.of(), coverage);
+        return new Freight(
+                "1",
+                "",
+                "",
+                true,
+                30,
+                Map.of("key /\n", PROGRAM),
+                Map.of(),
+                JointFreight.NONE,
+                coverage);
     }
 
     @Test

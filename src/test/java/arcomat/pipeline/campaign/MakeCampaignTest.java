@@ -84,6 +84,7 @@ class MakeCampaignTest {
     private static final class Careless implements Engine {
         private final Random random;
         private final List<Trial> given = new ArrayList<>();
+        private int asked;
 
         Careless(long seed) {
             random = new Random(seed);
@@ -97,6 +98,7 @@ class MakeCampaignTest {
         @Override
         public void submit(List<Trial> batch) {
             given.addAll(batch);
+            asked += batch.size();
             Collections.shuffle(given, random);
         }
 
@@ -117,15 +119,74 @@ class MakeCampaignTest {
         public void close() {}
     }
 
-    private Made make(String text, String results, boolean resumes, Engine engine) throws WrongUse {
+    private static PrepareCampaign.Ready ready(String text) {
         Campaign campaign =
                 CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
         Freight freight = new Freight("1", text, "", true, 300, Map.of());
-        PrepareCampaign.Ready ready =
-                new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS);
+        return new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS);
+    }
+
+    private Made make(String text, String results, boolean resumes, Engine engine) throws WrongUse {
         Function<Freight, Engine> engines = content -> engine;
         return Session.in(folder, Progress.NONE)
-                .run(new MakeCampaign(ready, results, resumes, engines));
+                .run(new MakeCampaign(ready(text), results, resumes, engines));
+    }
+
+    private MakePart.Made makePart(String part, boolean resumes, Engine engine) throws WrongUse {
+        CampaignPart which = CampaignPart.parse(part);
+        return Session.in(folder, Progress.NONE)
+                .run(
+                        new MakePart(
+                                ready(TEXT),
+                                which,
+                                "part" + which.number(),
+                                resumes,
+                                content -> engine));
+    }
+
+    private Made together(String text, List<String> parts, Engine engine) throws WrongUse {
+        Session session = Session.in(folder, Progress.NONE);
+        PrepareCampaign.Ready ready = ready(text);
+        Function<Freight, Engine> engines =
+                StoredRows.engines(parts, ready, content -> engine, session);
+        return session.run(new MakeCampaign(ready, "together", false, engines));
+    }
+
+    /** Three parts of 500 runs, made by several, one of which was interrupted. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void partsAreTogetherTheWhole(long seed) throws Exception {
+        Made whole = make(TEXT, "whole", false, new Careless(seed));
+        assertThat(makePart("1/3", false, new Careless(seed + 1)).end()).isEqualTo(166);
+        assertThatThrownBy(() -> makePart("2/3", false, dying(20))).hasMessage("the power is gone");
+        assertThatThrownBy(() -> together(TEXT, List.of("part2"), new Careless(seed)))
+                .isInstanceOf(WrongUse.class)
+                .hasMessageContaining("has not come to its end");
+        assertThat(makePart("2/3", true, new Careless(seed + 2)).first()).isEqualTo(166);
+        makePart("3/3", false, new Careless(seed + 3));
+        Made together =
+                together(TEXT, List.of("part3", "part1", "part2"), new ThreadEngine(1, nobody()));
+        assertThat(together.table()).isEqualTo(whole.table());
+        assertThat(together.result()).isEqualTo(whole.result());
+        assertThat(together.coverage()).isEqualTo(whole.coverage());
+        assertThat(folder.resolve("together/rows.parquet"))
+                .hasSameBinaryContentAs(folder.resolve("whole/rows.parquet"));
+    }
+
+    @Test
+    void whatNoPartHasIsMade() throws Exception {
+        Made whole = make(TEXT, "whole", false, new Careless(1));
+        makePart("2/3", false, new Careless(2));
+        Careless rest = new Careless(3);
+        assertThat(together(TEXT, List.of("part2", "part2"), rest).table())
+                .isEqualTo(whole.table());
+        assertThat(rest.asked).isEqualTo(500 - 167);
+    }
+
+    private static Function<Trial, Row> nobody() {
+        return trial -> {
+            throw new IllegalStateException("all rows are there");
+        };
     }
 
     @ParameterizedTest

@@ -136,6 +136,18 @@ public abstract class Monitor extends Requirement {
         return violation.length() == 0;
     }
 
+    /**
+     * Judges that the program has gone on after the last slice, which nobody looks at any more.
+     *
+     * @return false if the requirement is violated
+     */
+    public final boolean end() {
+        if (!isSettled()) {
+            goesOn();
+        }
+        return violation.length() == 0;
+    }
+
     private void judgeError() {
         if (!goesOn() || !keep(true)) {
             return;

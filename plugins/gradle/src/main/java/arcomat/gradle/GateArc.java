@@ -20,6 +20,31 @@ public abstract class GateArc extends ReportTask {
     @Option(option = "base", description = "The model root as it was: a checkout of main.")
     public abstract ListProperty<String> getBase();
 
+    /** Campaigns that have to hold as well, from the folder of the whole build. */
+    @Internal
+    @Option(option = "campaign", description = "A campaign that has to hold as well.")
+    public abstract ListProperty<String> getCampaigns();
+
+    /** The cluster whose workers make the runs of campaigns; threads of this machine if absent. */
+    @Internal
+    @Option(option = "cluster", description = "The cluster that makes the runs of campaigns.")
+    public abstract Property<String> getCluster();
+
+    /** Where workers of the cluster come; the tool's own address if absent. */
+    @Internal
+    @Option(option = "at", description = "HOST[:PORT] where workers of the cluster come.")
+    public abstract Property<String> getAddress();
+
+    /** A file with the secret of the cluster, if it has one. */
+    @Internal
+    @Option(option = "secret", description = "A file with the secret of the cluster.")
+    public abstract Property<String> getSecret();
+
+    /** Whether the robots of campaigns run on ideal bricks. */
+    @Internal
+    @Option(option = "no-limits", description = "Runs campaigns on ideal bricks.")
+    public abstract Property<Boolean> getIdeal();
+
     /** After how many seconds to give up on a comparison; never if absent. */
     @Internal
     public abstract Property<Integer> getSeconds();
@@ -37,6 +62,13 @@ public abstract class GateArc extends ReportTask {
         }
         List<String> command = new ArrayList<>(List.of("gate"));
         getBase().get().forEach(each -> command.addAll(List.of("--base", each)));
+        getCampaigns().get().forEach(each -> command.addAll(List.of("--campaign", each)));
+        add(command, "--cluster", getCluster());
+        add(command, "--at", getAddress());
+        add(command, "--secret", getSecret());
+        if (getIdeal().getOrElse(false)) {
+            command.add("--no-limits");
+        }
         add(command, "--timeout", getSeconds());
         return command;
     }

@@ -143,6 +143,11 @@ class ShopTest {
         assertThat(shop.read("build/test-results/testArc/TEST-arc.xml"))
                 .contains("tests=\"1\" failures=\"1\"");
         assertThat(shop.read("build/test-results/gateArc/TEST-arc.xml")).contains("failures=\"2\"");
+        assertThat(
+                        shop.fail("gateArc", "--base=base", "--campaign=no.campaign", "--no-limits")
+                                .getOutput())
+                .contains("there is no campaign 'no.campaign'")
+                .doesNotContain("Exception");
 
         shop.edit(BUMPER, "    port", "port");
         BuildResult shown =

@@ -3,7 +3,9 @@ package arcomat.cli.command.proof;
 import arcomat.analysis.evolution.Gate;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.LimitedCommand;
+import arcomat.cli.option.BrickLimitOption;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.ClusterOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
@@ -11,6 +13,8 @@ import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.engine.Engine;
+import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.gate.PassGate;
@@ -34,6 +38,7 @@ import picocli.CommandLine.Parameters;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** {@code arcomat gate}: whether components still keep what they promised. */
@@ -49,6 +54,8 @@ import java.util.stream.Stream;
             "  arcomat gate --base ../main/models models",
             "  arcomat gate --base ../main/models --report junit=build/gate.xml models",
             "  arcomat gate --base ../main/models --campaign meeting.campaign models",
+            "  arcomat gate --base ../main/models --campaign meeting.campaign --cluster yard"
+                    + " models",
             "",
             "Exit status: 0 all keep their promises, and what campaigns require holds; 1 something"
                     + " fails; 3 something is unknown; 2 wrong use, or models or campaigns with"
@@ -71,6 +78,10 @@ public final class GateCommand extends LimitedCommand {
                     "A campaign that has to hold as well: what it requires is asked of the models"
                             + " as they are. May be repeated.")
     private List<String> campaigns = new ArrayList<>();
+
+    @Mixin private BrickLimitOption bricks = new BrickLimitOption();
+
+    @Mixin private ClusterOptions clusters = new ClusterOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
@@ -100,8 +111,11 @@ public final class GateCommand extends LimitedCommand {
 
     @Override
     protected int run(Session session) throws WrongUse {
+        requireCampaign("--no-limits", bricks.isGiven());
+        requireCampaign("--cluster", clusters.isWanted());
+        Function<Freight, Engine> engines = engines(session);
         PrepareGateCampaigns.Prepared prepared =
-                session.run(new PrepareGateCampaigns(campaigns, Version.number()));
+                session.run(new PrepareGateCampaigns(campaigns, bricks.limits(), Version.number()));
         if (prepared.check().hasErrors()) {
             tellAside(prepared.check());
             reports.write(
@@ -117,10 +131,25 @@ public final class GateCommand extends LimitedCommand {
             reports.write((format, style) -> refusal(result, format, style), session, console());
             return ExitStatus.WRONG_USE;
         }
-        RunGateCampaigns.Result runs = session.run(new RunGateCampaigns(prepared.campaigns()));
+        RunGateCampaigns.Result runs =
+                session.run(new RunGateCampaigns(prepared.campaigns(), engines));
         Outcome outcome = new Outcome(result, result.gate().get(), runs);
         reports.write((format, style) -> text(outcome, aside, format, style), session, console());
         return aside.isEmpty() ? status(outcome.answer()) : ExitStatus.WRONG_USE;
+    }
+
+    private void requireCampaign(String option, boolean isGiven) throws WrongUse {
+        if (isGiven && campaigns.isEmpty()) {
+            throw new WrongUse(
+                    "%s is about the runs of campaigns: name one, by --campaign", option);
+        }
+    }
+
+    /** Who makes the runs. */
+    private Function<Freight, Engine> engines(Session session) throws WrongUse {
+        return clusters.isWanted()
+                ? clusters.engines(session.names(), console())
+                : RunGateCampaigns::onAllProcessors;
     }
 
     private String text(Outcome outcome, Aside aside, ReportFormat format, Style style) {

@@ -10,11 +10,14 @@ import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.CampaignPart;
 import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
+import arcomat.pipeline.campaign.MakePart;
 import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
+import arcomat.pipeline.campaign.StoredRows;
 import arcomat.pipeline.campaign.WriteCampaignPage;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
@@ -33,6 +36,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** {@code arcomat campaign}: many runs of a world, and what they prove. */
@@ -45,6 +51,9 @@ import java.util.function.Function;
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --out build/meeting"
                     + " --resume",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --report build/page",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --part 2/3 --out part2",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --with part1 --with part2"
+                    + " --with part3",
             "",
             "Exit status: 0 all that was asked for holds; 1 something fails, or there are errors"
                     + " in the campaign, its world or its models; 3 the runs do not decide it;"
@@ -69,6 +78,22 @@ public final class CampaignCommand extends Command {
             names = "--resume",
             description = "Go on with the rows that an interrupted campaign has left in --out.")
     private boolean resumes;
+
+    @Option(
+            names = "--part",
+            paramLabel = "K/N",
+            description =
+                    "Make the runs of the Kth of N parts alone, and keep them in --out: other parts"
+                            + " may be made elsewhere.")
+    private String part;
+
+    @Option(
+            names = "--with",
+            paramLabel = "DIR",
+            description =
+                    "Take rows that a part of this campaign has made from there. May be repeated;"
+                            + " what no part has is made.")
+    private List<String> parts = new ArrayList<>();
 
     @Option(
             names = "--workers",
@@ -104,6 +129,7 @@ public final class CampaignCommand extends Command {
         if (resumes && results.isEmpty()) {
             throw new WrongUse("--resume goes on with the rows in --out: name that folder, too");
         }
+        Optional<CampaignPart> alone = alone();
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
@@ -120,7 +146,16 @@ public final class CampaignCommand extends Command {
         }
         Ready ready = prepared.ready().get();
         Function<Freight, Engine> engines = engines(ready.freight(), session);
-        MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
+        if (alone.isPresent()) {
+            return makePart(ready, alone.get(), engines, session);
+        }
+        MakeCampaign.Made made =
+                session.run(
+                        new MakeCampaign(
+                                ready,
+                                results,
+                                resumes,
+                                StoredRows.engines(parts, ready, engines, session)));
         FurtherRuns.Found further = session.run(new FurtherRuns(ready, engines));
         CampaignReport shown = made.report(campaign, ready, further);
         if (format == OutputFormat.json) {
@@ -139,6 +174,39 @@ public final class CampaignCommand extends Command {
             tellPage(session.run(new WriteCampaignPage(shown, report)));
         }
         return status(made.result());
+    }
+
+    /** The part that is to be made, if not all of it is. */
+    private Optional<CampaignPart> alone() throws WrongUse {
+        if (part == null) {
+            return Optional.empty();
+        }
+        if (results.isEmpty()) {
+            throw new WrongUse("--part keeps its rows in --out: name that folder, too");
+        }
+        if (report != null || format != OutputFormat.text || !parts.isEmpty()) {
+            throw new WrongUse(
+                    "--part makes rows and judges nothing: --report, --format and --with are for"
+                            + " the whole campaign");
+        }
+        return Optional.of(CampaignPart.parse(part));
+    }
+
+    private int makePart(
+            Ready ready, CampaignPart only, Function<Freight, Engine> engines, Session session)
+            throws WrongUse {
+        MakePart.Made made = session.run(new MakePart(ready, only, results, resumes, engines));
+        printLine(
+                "part %d of %d: %,d runs of %s, from %d to %d, in %s"
+                        .formatted(
+                                only.number(),
+                                only.of(),
+                                made.end() - made.first(),
+                                ready.world(),
+                                made.first(),
+                                made.end() - 1,
+                                results));
+        return ExitStatus.FINE;
     }
 
     /** What programs read has nothing else before it. */

@@ -37,9 +37,14 @@ final class Fingerprint implements Onlooker {
     }
 
     @Override
-    public void entered(String robot, String type, String method) {
-        beside.entered(robot, type, method);
-        add(robot + type + method);
+    public void entered(String robot, Object object, String method) {
+        beside.entered(robot, object, method);
+        add(robot + object.getClass().getName() + method);
+    }
+
+    @Override
+    public void left(String robot, Object object, String method) {
+        beside.left(robot, object, method);
     }
 
     /** What was reached is in the row. */

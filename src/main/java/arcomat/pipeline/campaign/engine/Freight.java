@@ -1,5 +1,6 @@
 package arcomat.pipeline.campaign.engine;
 
+import arcomat.pipeline.campaign.joint.JointFreight;
 import arcomat.report.text.Sha256;
 import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.Program;
@@ -29,6 +30,7 @@ import java.util.zip.ZipOutputStream;
  * @param patienceSeconds what a run may take by the PC's clock
  * @param programs by what the world's text says of them
  * @param monitors columns of the table by the full names of classes that watch in these programs
+ * @param joint what watches several of these programs for one requirement
  * @param coverage where these programs come to what runs may cover
  */
 public record Freight(
@@ -39,6 +41,7 @@ public record Freight(
         long patienceSeconds,
         Map<String, Program> programs,
         Map<String, String> monitors,
+        JointFreight joint,
         ItemProbes coverage) {
     private static final String SETTINGS = "settings";
     private static final String CAMPAIGN = "campaign";
@@ -68,6 +71,7 @@ public record Freight(
                 patienceSeconds,
                 programs,
                 Map.of(),
+                JointFreight.NONE,
                 ItemProbes.NONE);
     }
 
@@ -87,6 +91,7 @@ public record Freight(
         monitors.forEach(
                 (type, column) ->
                         entries.put(MONITORS + type, column.getBytes(StandardCharsets.UTF_8)));
+        entries.putAll(joint.entries());
         programs.forEach((key, program) -> pack(key, program, entries));
         coverage.ordered()
                 .forEach(
@@ -141,6 +146,7 @@ public record Freight(
                 Long.parseLong(settings[2]),
                 programs(entries),
                 monitors(entries),
+                JointFreight.of(entries),
                 new ItemProbes(ItemProbes.number(settings[3]), coverage(entries)));
     }
 

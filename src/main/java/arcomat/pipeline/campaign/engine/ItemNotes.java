@@ -30,8 +30,13 @@ final class ItemNotes implements Onlooker {
     }
 
     @Override
-    public void entered(String robot, String type, String method) {
-        beside.entered(robot, type, method);
+    public void entered(String robot, Object object, String method) {
+        beside.entered(robot, object, method);
+    }
+
+    @Override
+    public void left(String robot, Object object, String method) {
+        beside.left(robot, object, method);
     }
 
     @Override

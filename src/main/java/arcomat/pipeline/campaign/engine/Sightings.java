@@ -52,13 +52,19 @@ final class Sightings implements Onlooker {
     }
 
     @Override
-    public void entered(String robot, String type, String method) {
-        String column = monitors.get(type);
+    public void entered(String robot, Object object, String method) {
+        beside.entered(robot, object, method);
+        String column = monitors.get(object.getClass().getName());
         if (column != null && method.equals(VIOLATION)) {
             violated.add(column);
-        } else if (column != null) {
+        } else if (column != null && method.equals(TOO_MUCH)) {
             unknown.putIfAbsent(column, robot);
         }
+    }
+
+    @Override
+    public void left(String robot, Object object, String method) {
+        beside.left(robot, object, method);
     }
 
     List<Double> answers(List<Watched> columns) {

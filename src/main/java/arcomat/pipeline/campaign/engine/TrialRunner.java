@@ -7,6 +7,8 @@ import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Watched;
 import arcomat.campaign.coverage.ReachedItems;
+import arcomat.pipeline.campaign.joint.JointRun;
+import arcomat.pipeline.campaign.joint.JointWatching;
 import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.PreparedWorld;
@@ -50,6 +52,7 @@ public final class TrialRunner implements Function<Trial, Row> {
     private final Map<String, LoadedProgram> onThreads = new TreeMap<>();
 
     private final Measuring measuring;
+    private final JointWatching joint;
     private final List<Watched> watches;
     private final Optional<Campaign.Split> split;
     private final Map<Map<String, String>, Stage> stages = new ConcurrentHashMap<>();
@@ -57,19 +60,25 @@ public final class TrialRunner implements Function<Trial, Row> {
     public TrialRunner(Freight freight) {
         this.freight = freight;
         this.text = new SourceFile("world", freight.world());
-        List<Probe> probes = Sightings.probes(freight.monitors());
+        Campaign campaign = campaign(freight);
+        this.joint = JointWatching.of(freight.joint(), campaign, text);
         freight.programs()
                 .forEach(
                         (key, each) ->
                                 programs.put(
                                         key,
                                         LoadedProgram.forMany(
-                                                each, probes, freight.coverage().of(key))));
+                                                each, probes(key), freight.coverage().of(key))));
         programs.forEach((key, each) -> onThreads.put(key, each.onThreads()));
-        Campaign campaign = campaign(freight);
         this.measuring = Measuring.of(campaign, text);
         this.watches = campaign.watches();
         this.split = campaign.split();
+    }
+
+    private List<Probe> probes(String program) {
+        List<Probe> probes = new ArrayList<>(Sightings.probes(freight.monitors()));
+        probes.addAll(joint.probes(program));
+        return probes;
     }
 
     private static Campaign campaign(Freight freight) {
@@ -82,15 +91,17 @@ public final class TrialRunner implements Function<Trial, Row> {
      *
      * @param bare without programs
      * @param measuring what the campaign asks beside what every campaign does
+     * @param joint what it watches several robots for
      * @param remark why there is no world; else empty
      */
     private record Stage(
             @Nullable World bare,
             @Nullable PreparedWorld world,
             Measuring.@Nullable InWorld measuring,
+            JointWatching.@Nullable InWorld joint,
             String remark) {
         static Stage none(String remark) {
-            return new Stage(null, null, null, remark);
+            return new Stage(null, null, null, null, remark);
         }
     }
 
@@ -103,10 +114,13 @@ public final class TrialRunner implements Function<Trial, Row> {
     @Override
     public Row apply(Trial trial) {
         Stage stage = stage(trial.values());
-        if (stage.bare() == null || stage.world() == null || stage.measuring() == null) {
+        if (stage.bare() == null
+                || stage.world() == null
+                || stage.measuring() == null
+                || stage.joint() == null) {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, stage.remark());
         }
-        OneRun run = new OneRun(trial, stage.bare(), stage.measuring());
+        OneRun run = new OneRun(trial, stage.bare(), stage.measuring(), stage.joint());
         if (trial.number() % CHECKED != 0 || !anyRests()) {
             return run.row(stage.world(), Function.identity());
         }
@@ -122,12 +136,14 @@ public final class TrialRunner implements Function<Trial, Row> {
         private final Trial trial;
         private final World bare;
         private final Measuring.InWorld measuring;
+        private final JointWatching.InWorld joint;
         private boolean isOutOfPatience;
 
-        OneRun(Trial trial, World bare, Measuring.InWorld measuring) {
+        OneRun(Trial trial, World bare, Measuring.InWorld measuring, JointWatching.InWorld joint) {
             this.trial = trial;
             this.bare = bare;
             this.measuring = measuring;
+            this.joint = joint;
         }
 
         Row checked(PreparedWorld resting, PreparedWorld threads) {
@@ -152,7 +168,8 @@ public final class TrialRunner implements Function<Trial, Row> {
         Row row(PreparedWorld world, Function<Onlooker, Onlooker> watched) {
             Measuring.Run measured = measuring.start();
             LevelTimes levels = new LevelTimes(split, bare, measured);
-            ItemNotes notes = new ItemNotes(freight.coverage(), bare, levels);
+            JointRun together = joint.start(levels);
+            ItemNotes notes = new ItemNotes(freight.coverage(), bare, together);
             Sightings sightings = new Sightings(freight.monitors(), notes);
             try {
                 Summary summary =
@@ -161,13 +178,16 @@ public final class TrialRunner implements Function<Trial, Row> {
                                 Duration.ofSeconds(freight.patienceSeconds()),
                                 freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
                                 watched.apply(sightings));
-                if (sightings.doubt().isPresent()) {
-                    return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
+                together.end();
+                Optional<String> doubt = sightings.doubt().or(together::doubt);
+                if (doubt.isPresent()) {
+                    return Row.withoutAnswers(trial, Ending.GIVEN_UP, doubt.get());
                 }
                 ReachedItems reached = notes.reached();
                 List<Double> answers = new ArrayList<>(Answers.of(summary, transitions(reached)));
                 answers.addAll(measured.answers());
                 answers.addAll(sightings.answers(watches));
+                answers.addAll(together.answers());
                 answers.addAll(levels.answers());
                 return Row.made(trial, answers, reached);
             } catch (OutOfPatience e) {
@@ -201,7 +221,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         try {
             World world = parsed.world().get();
             PreparedWorld prepared = PreparedWorld.of(world, programs);
-            return new Stage(world, prepared, measuring.in(world), "");
+            return new Stage(world, prepared, measuring.in(world), joint.in(world), "");
         } catch (IllegalArgumentException e) {
             return Stage.none(String.valueOf(e.getMessage()));
         }

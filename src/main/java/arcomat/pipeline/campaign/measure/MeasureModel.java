@@ -1,6 +1,5 @@
 package arcomat.pipeline.campaign.measure;
 
-import arcomat.campaign.Measure;
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
@@ -24,16 +23,24 @@ import java.util.Set;
 final class MeasureModel {
     static final String NO_EXPRESSION = "ARC1136";
 
-    /** Longer than the name of any brick. */
-    private static final String NUMBER = "numberOfThisMeasure";
+    /** The type of what is true or not at a moment. */
+    static final String CONDITION = "Boolean";
 
-    private final Measure measure;
+    /** The type of what is measured. */
+    static final String NUMBER = "Double";
+
+    /** Longer than the name of any brick. */
+    private static final String VALUE = "valueOfThisExpression";
+
+    private final Span expression;
+    private final String type;
     private final Unit diagram;
     private final SourceFile file;
     private final int start;
 
-    private MeasureModel(Measure measure, Unit diagram, SourceFile file, int start) {
-        this.measure = measure;
+    private MeasureModel(Span expression, String type, Unit diagram, SourceFile file, int start) {
+        this.expression = expression;
+        this.type = type;
         this.diagram = diagram;
         this.file = file;
         this.start = start;
@@ -47,32 +54,36 @@ final class MeasureModel {
     record Read(Optional<Component> component, List<Diagnostic> findings) {
         /** The only expression of the component. */
         Expression expression() {
-            return MeasureModel.expression(component.orElseThrow()).orElseThrow();
+            return written(component.orElseThrow()).orElseThrow();
         }
     }
 
-    static Read read(Measure measure, Vocabulary vocabulary) {
+    /**
+     * @param type that the expression is to have, as models write it; it needs no import
+     */
+    static Read read(Span expression, String type, Vocabulary vocabulary) {
         Unit diagram = Parser.parse(vocabulary.diagram()).unit().orElseThrow();
-        boolean number = measure.fold().isOfNumber();
+        boolean condition = type.equals(CONDITION);
         String head =
                 """
                 package %s;
                 import %s.Readings.*;
                 component Measure {
                 timing instant;
-                port %s out Double %s;
+                port %s out %s %s;
                 automaton { state reading; initial reading; reading -> reading %s
                 """
                         .formatted(
                                 Vocabulary.PACKAGE,
                                 Vocabulary.PACKAGE,
                                 vocabulary.ports(),
-                                NUMBER,
-                                number ? "/ {" + NUMBER + " =" : "[");
-        String tail = number ? "\n};}}\n" : "\n] / {" + NUMBER + " = 1.0};}}\n";
-        String text = head + measure.expression().text() + tail;
+                                type,
+                                VALUE,
+                                condition ? "[" : "/ {" + VALUE + " =");
+        String tail = condition ? "\n] / {" + VALUE + " = true};}}\n" : "\n};}}\n";
+        String text = head + expression.text() + tail;
         SourceFile file = new SourceFile("campaign/Measure.arc", text);
-        return new MeasureModel(measure, diagram, file, head.length()).read();
+        return new MeasureModel(expression, type, diagram, file, head.length()).read();
     }
 
     private Read read() {
@@ -91,13 +102,18 @@ final class MeasureModel {
         }
         Component component =
                 Lowering.lower(workspace).component(Vocabulary.PACKAGE + ".Measure").orElseThrow();
-        return expression(component).isPresent()
+        return written(component).isPresent()
                 ? new Read(Optional.of(component), List.of())
                 : broken(noExpression());
     }
 
     private Diagnostic noExpression() {
-        String what = measure.fold().isOfNumber() ? "number" : "condition";
+        String what =
+                switch (type) {
+                    case NUMBER -> "number";
+                    case CONDITION -> "condition";
+                    default -> "value of type " + type;
+                };
         return Diagnostic.error(
                 NO_EXPRESSION,
                 file.span(start, start + length()),
@@ -110,22 +126,22 @@ final class MeasureModel {
     }
 
     private int length() {
-        return measure.expression().text().length();
+        return expression.text().length();
     }
 
     /** The finding at its place in the campaign; what lies behind the expression is its end. */
     private Diagnostic inCampaign(Diagnostic finding) {
         int from = Math.max(0, Math.min(finding.span().start() - start, length()));
         int to = Math.max(from, Math.min(finding.span().end() - start, length()));
-        int offset = measure.expression().start();
-        Span place = measure.expression().file().span(offset + from, offset + to);
+        int offset = expression.start();
+        Span place = expression.file().span(offset + from, offset + to);
         return from == length()
                 ? Diagnostic.error(NO_EXPRESSION, place, "here the expression should go on")
                 : Diagnostic.error(finding.code(), place, finding.message());
     }
 
     /** Nothing, where what was written is more than an expression, or another thing. */
-    private static Optional<Expression> expression(Component component) {
+    private static Optional<Expression> written(Component component) {
         if (component.automata().size() != 1) {
             return Optional.empty();
         }

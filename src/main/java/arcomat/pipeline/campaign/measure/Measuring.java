@@ -14,10 +14,15 @@ import java.util.List;
 
 /** The columns that a campaign defines, ready to be measured in any of its worlds. */
 public final class Measuring {
+    private final List<Measure.Fold> folds;
     private final List<MeasuredExpression> expressions;
     private final List<Diagnostic> findings;
 
-    private Measuring(List<MeasuredExpression> expressions, List<Diagnostic> findings) {
+    private Measuring(
+            List<Measure.Fold> folds,
+            List<MeasuredExpression> expressions,
+            List<Diagnostic> findings) {
+        this.folds = List.copyOf(folds);
         this.expressions = List.copyOf(expressions);
         this.findings = List.copyOf(findings);
     }
@@ -31,14 +36,16 @@ public final class Measuring {
         if (!campaign.measures().isEmpty()) {
             Vocabulary vocabulary = Vocabulary.of(campaign, world);
             for (Measure each : campaign.measures()) {
-                MeasureModel.Read read = MeasureModel.read(each, vocabulary);
+                String type =
+                        each.fold().isOfNumber() ? MeasureModel.NUMBER : MeasureModel.CONDITION;
+                MeasuredExpression.Reading read =
+                        MeasuredExpression.read(each.expression(), type, vocabulary);
                 findings.addAll(read.findings());
-                if (read.findings().isEmpty()) {
-                    expressions.add(MeasuredExpression.of(each.fold(), read));
-                }
+                read.expression().ifPresent(expressions::add);
             }
         }
-        return new Measuring(expressions, findings);
+        List<Measure.Fold> folds = campaign.measures().stream().map(Measure::fold).toList();
+        return new Measuring(folds, expressions, findings);
     }
 
     /** What is wrong with expressions, at its place in the campaign; then nothing is measured. */
@@ -48,20 +55,22 @@ public final class Measuring {
 
     /** In one world; any number of runs may be measured at once. */
     public InWorld in(World world) {
-        return new InWorld(expressions.stream().map(each -> each.in(world)).toList());
+        return new InWorld(folds, expressions.stream().map(each -> each.in(world)).toList());
     }
 
     /** All columns, in a world. */
     public static final class InWorld {
+        private final List<Measure.Fold> folds;
         private final List<MeasuredExpression.InWorld> expressions;
 
-        private InWorld(List<MeasuredExpression.InWorld> expressions) {
+        private InWorld(List<Measure.Fold> folds, List<MeasuredExpression.InWorld> expressions) {
+            this.folds = folds;
             this.expressions = expressions;
         }
 
         /** Before a run. */
         public Run start() {
-            return new Run(expressions);
+            return new Run(folds, expressions);
         }
     }
 
@@ -70,9 +79,9 @@ public final class Measuring {
         private final List<MeasuredExpression.InWorld> expressions;
         private final List<Fold> folds;
 
-        private Run(List<MeasuredExpression.InWorld> expressions) {
+        private Run(List<Measure.Fold> ways, List<MeasuredExpression.InWorld> expressions) {
             this.expressions = expressions;
-            this.folds = expressions.stream().map(MeasuredExpression.InWorld::start).toList();
+            this.folds = ways.stream().map(Fold::of).toList();
         }
 
         @Override

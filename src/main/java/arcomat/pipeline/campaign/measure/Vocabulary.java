@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  * with the values that parameters have by themselves, and with the ends of all ranges and all
  * words, one after the other.
  */
-final class Vocabulary {
+public final class Vocabulary {
     static final String PACKAGE = "campaign";
 
     /** Longer than the name of any brick, as all types are named like what has them. */
@@ -32,7 +32,10 @@ final class Vocabulary {
 
     private Vocabulary() {}
 
-    static Vocabulary of(Campaign campaign, SourceFile world) {
+    /**
+     * @param world text of the world, with its parameters
+     */
+    public static Vocabulary of(Campaign campaign, SourceFile world) {
         Vocabulary vocabulary = new Vocabulary();
         Stream<Map<String, String>> others =
                 campaign.variations().stream()

@@ -46,6 +46,7 @@ public final class ParquetTable {
                 writer.write(each.next());
             }
         }
+        Footer.order(file);
     }
 
     private static final class Builder extends ParquetWriter.Builder<Row, Builder> {

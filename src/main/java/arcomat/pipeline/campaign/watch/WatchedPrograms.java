@@ -1,7 +1,7 @@
 package arcomat.pipeline.campaign.watch;
 
 import arcomat.campaign.Watched;
-import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
@@ -44,7 +44,7 @@ final class WatchedPrograms {
     private final Target target;
     private final Implementations own;
     private final Map<String, Program> programs = new TreeMap<>();
-    private final Map<String, List<AutomatonLines>> automata = new TreeMap<>();
+    private final Map<String, CodeLayout> layouts = new TreeMap<>();
     private final Map<String, String> monitors = new TreeMap<>();
     private final Map<Watched, WrongUse> refused = new LinkedHashMap<>();
     private final List<Diagnostic> findings = new ArrayList<>();
@@ -64,14 +64,14 @@ final class WatchedPrograms {
      * What came of one model root.
      *
      * @param programs those that watch something, by what worlds say of them
-     * @param automata where these have those of their models
+     * @param layouts where these have what their models have
      * @param monitors columns by the full names of the classes that watch
      * @param refused why there is nothing here that could be watched for a requirement
      * @param findings about code
      */
     record Result(
             Map<String, Program> programs,
-            Map<String, List<AutomatonLines>> automata,
+            Map<String, CodeLayout> layouts,
             Map<String, String> monitors,
             Map<Watched, WrongUse> refused,
             List<Diagnostic> findings) {}
@@ -90,7 +90,7 @@ final class WatchedPrograms {
         for (Map.Entry<String, Component> each : components.entrySet()) {
             all.make(each.getKey(), each.getValue(), watches);
         }
-        return new Result(all.programs, all.automata, all.monitors, all.refused, all.findings);
+        return new Result(all.programs, all.layouts, all.monitors, all.refused, all.findings);
     }
 
     private Map<Watched, List<SelfWatch>> watches(List<Component> components) {
@@ -177,6 +177,6 @@ final class WatchedPrograms {
         String path = built.robots().get(0).jar();
         byte[] jar = Objects.requireNonNull(built.jars().get(path));
         programs.put(key, JarReader.made(path, jar).program());
-        automata.put(key, generation.layout().automata());
+        layouts.put(key, generation.layout());
     }
 }

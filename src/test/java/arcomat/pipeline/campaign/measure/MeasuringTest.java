@@ -158,7 +158,7 @@ class MeasuringTest {
         finds("event e when time == --", "ARC1136", "time == --");
         finds("measure gap smallest --", "ARC1136", "--");
         finds("measure gap smallest alt {1, 2}", "ARC0311", "alt {1, 2}");
-        String more = "1}; reading -> reading / {numberOfThisMeasure = 2";
+        String more = "1}; reading -> reading / {valueOfThisExpression = 2";
         finds("measure gap smallest " + more, "ARC1136", more);
     }
 

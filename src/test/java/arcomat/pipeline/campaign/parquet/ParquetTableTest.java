@@ -15,10 +15,16 @@ import blue.strategic.parquet.Hydrator;
 import blue.strategic.parquet.HydratorSupplier;
 import blue.strategic.parquet.ParquetReader;
 
+import org.apache.parquet.format.ColumnChunk;
+import org.apache.parquet.format.FileMetaData;
+import org.apache.parquet.format.Util;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -69,6 +75,19 @@ class ParquetTableTest {
         return number % 2 == 0
                 ? Row.made(trial, answers)
                 : Row.made(trial, answers, new ReachedItems("x07"));
+    }
+
+    /** Else the bytes would be other ones in another process. */
+    @Test
+    void theFooterListsEncodingsInTheOrderOfTheirNumbers() throws IOException {
+        Path file = write("ordered.parquet", 100);
+        byte[] all = Files.readAllBytes(file);
+        int length = ByteBuffer.wrap(all).order(ByteOrder.LITTLE_ENDIAN).getInt(all.length - 8);
+        int start = all.length - 8 - length;
+        FileMetaData footer = Util.readFileMetaData(new ByteArrayInputStream(all, start, length));
+        for (ColumnChunk column : footer.getRow_groups().get(0).getColumns()) {
+            assertThat(column.getMeta_data().getEncodings()).hasSizeGreaterThan(1).isSorted();
+        }
     }
 
     private Path write(String name, long rows) throws IOException {

@@ -5,12 +5,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.EngineProvider;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.Meeting;
+import arcomat.pipeline.campaign.engine.TrialRunner;
 import arcomat.pipeline.campaign.engine.WorkerPlan;
+import arcomat.sim.device.Limits;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -18,29 +25,53 @@ import org.junit.jupiter.api.Timeout;
 
 import java.io.IOException;
 import java.net.ServerSocket;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.LongStream;
 
-/** Campaign and workers in one process, on a world without robots. */
+/** Campaign and workers in one process, on a world with two lamps that are watched together. */
 @Tag("slow")
 @Timeout(180)
 class HazelcastTest {
-    private static final Freight FREIGHT = freight("seconds 0.1\n");
+    private static final Freight FREIGHT = freight();
 
     private final EngineProvider provider =
             ServiceLoader.load(EngineProvider.class).findFirst().orElseThrow();
     private final List<String> told = new CopyOnWriteArrayList<>();
     private final List<String> toldWorker = new CopyOnWriteArrayList<>();
 
-    private static Freight freight(String seconds) {
-        String campaign = "world yard.world\nsample random 300\n";
-        String world = "floor 1000 1000\n" + seconds;
-        return new Freight("1.0", campaign, world, true, 60, Map.of());
+    /** Programs are made once. */
+    private static Freight freight() {
+        Path folder = Path.of("../../src/test/resources/campaign/joint").toAbsolutePath();
+        Session session = new Session(new PathNames(folder), Progress.NONE);
+        PrepareCampaign task =
+                new PrepareCampaign(
+                        "yard.campaign", Limits.OF_THE_BRICK, Duration.ofMinutes(1), "1.0");
+        try {
+            return session.run(task).ready().orElseThrow().freight();
+        } catch (WrongUse e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** The same world, which is over sooner. */
+    private static Freight shorter(int seconds) {
+        return new Freight(
+                FREIGHT.version(),
+                FREIGHT.campaign(),
+                FREIGHT.world().replace("seconds 9", "seconds " + seconds),
+                FREIGHT.limited(),
+                FREIGHT.patienceSeconds(),
+                FREIGHT.programs(),
+                FREIGHT.monitors(),
+                FREIGHT.joint(),
+                FREIGHT.coverage());
     }
 
     private static Meeting meeting(String name, String secret) throws IOException {
@@ -68,12 +99,13 @@ class HazelcastTest {
         return LongStream.range(from, to).mapToObj(i -> new Trial(i, i, Map.of())).toList();
     }
 
-    private static List<Long> collect(Engine engine, int size) {
+    private static List<Row> collect(Engine engine, int size) {
         List<Row> rows = new ArrayList<>();
         while (rows.size() < size) {
             rows.addAll(engine.collect(Duration.ofMillis(100)));
         }
-        return rows.stream().map(row -> row.trial().number()).sorted().toList();
+        rows.sort(Comparator.comparing(row -> row.trial().number()));
+        return rows;
     }
 
     private static void await(List<String> lines, String part) throws InterruptedException {
@@ -86,13 +118,14 @@ class HazelcastTest {
     void oneWorkerServesOneCampaignAfterTheOther() throws Exception {
         Meeting meeting = meeting("yard", "");
         Thread worker = worker(meeting, "1.0");
-        for (String world : List.of("seconds 0.1\n", "seconds 0.2\n")) {
-            Freight freight = freight(world);
+        for (int seconds : List.of(1, 2)) {
+            Freight freight = shorter(seconds);
+            List<Row> here = trials(0, 300).stream().map(new TrialRunner(freight)).toList();
+            assertThat(here).allMatch(Row::wasMade);
             try (Engine engine = provider.open(freight, meeting, told::add)) {
                 assertThat(engine.capacity()).isEqualTo(1);
                 engine.submit(trials(0, 300));
-                assertThat(collect(engine, 300))
-                        .containsExactlyElementsOf(LongStream.range(0, 300).boxed().toList());
+                assertThat(collect(engine, 300)).isEqualTo(here);
                 assertThat(engine.crew()).isEqualTo("1 worker, 2 threads");
                 assertThat(engine.capacity()).isEqualTo(2);
             }

@@ -53,7 +53,9 @@ class LetterTextTest {
     @MethodSource("letters")
     void whatIsDamagedIsNoLetter(Letter letter) {
         byte[] whole = LetterText.of(letter);
-        for (int i = 0; i < whole.length; i++) {
+        // Of a long one the same is in its middle everywhere.
+        int step = Math.max(1, whole.length / 500);
+        for (int i = 0; i < whole.length; i += i < 200 ? 1 : step) {
             byte[] cut = Arrays.copyOf(whole, i);
             assertThat(read(cut)).as("%d bytes", i).isFalse();
             for (int value : new int[] {0, 1, 127, 128, 255}) {

@@ -6,8 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.cli.terminal.Version;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.engine.EngineFailure;
-import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.sim.device.Limits;
 
 import org.junit.jupiter.api.Test;
 
@@ -16,16 +21,21 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Map;
 
-/** On a world without robots. */
+/** On a world with two lamps that are watched together. */
 class WorkshopTest {
     private static final Trial TRIAL = new Trial(3, 4, Map.of());
 
-    private static Workshop workshop(String version) {
-        String campaign = "world yard.world\nsample random 300\n";
-        String world = "floor 1000 1000\nseconds 0.1\n";
-        return new Workshop(new Freight(version, campaign, world, true, 60, Map.of()));
+    private static Workshop workshop(String version) throws WrongUse {
+        Path folder = Path.of("../../src/test/resources/campaign/joint").toAbsolutePath();
+        Session session = new Session(new PathNames(folder), Progress.NONE);
+        PrepareCampaign task =
+                new PrepareCampaign(
+                        "yard.campaign", Limits.OF_THE_BRICK, Duration.ofMinutes(1), version);
+        return new Workshop(session.run(task).ready().orElseThrow().freight());
     }
 
     /** As Spark does, once for each process. */
@@ -42,6 +52,7 @@ class WorkshopTest {
     void whatIsPreparedStaysWhereItIs() throws Exception {
         Workshop here = workshop(Version.number());
         Row row = here.runner().apply(TRIAL);
+        assertThat(row.wasMade()).isTrue();
         assertThat(here.runner()).isSameAs(here.runner());
         Workshop there = sent(here);
         assertThat(there.runner()).isNotSameAs(here.runner());

@@ -37,7 +37,10 @@ public interface Observer {
     /**
      * A method begins at which there is a probe.
      *
-     * @param type full name of the class of its object
+     * @param object the program's own, on which it was called; to be looked at, and left as it is
      */
-    default void entered(long time, String type, String method) {}
+    default void entered(long time, Object object, String method) {}
+
+    /** The method ends, other than by an exception. */
+    default void left(long time, Object object, String method) {}
 }

@@ -17,6 +17,11 @@ public final class BrickProbes {
 
     /** A method begins that somebody has asked about. */
     public static void entered(Object object, String method) {
-        BRICK.observer().entered(BRICK.time().now(), object.getClass().getName(), method);
+        BRICK.observer().entered(BRICK.time().now(), object, method);
+    }
+
+    /** It ends, other than by an exception. */
+    public static void left(Object object, String method) {
+        BRICK.observer().left(BRICK.time().now(), object, method);
     }
 }

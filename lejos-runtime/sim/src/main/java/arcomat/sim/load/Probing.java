@@ -47,12 +47,24 @@ final class Probing extends ClassVisitor {
             @Override
             public void visitCode() {
                 super.visitCode();
+                tell("entered");
+            }
+
+            @Override
+            public void visitInsn(int opcode) {
+                if (Opcodes.IRETURN <= opcode && opcode <= Opcodes.RETURN) {
+                    tell("left");
+                }
+                super.visitInsn(opcode);
+            }
+
+            private void tell(String what) {
                 super.visitVarInsn(Opcodes.ALOAD, 0);
                 super.visitLdcInsn(name);
                 super.visitMethodInsn(
                         Opcodes.INVOKESTATIC,
                         PROBES,
-                        "entered",
+                        what,
                         "(Ljava/lang/Object;Ljava/lang/String;)V",
                         false);
             }

@@ -28,6 +28,9 @@ public final class Cell {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasB = false;
+
         switch (state) {
             case EVEN:
                 // line 6: even -> odd {a == ?} / {b = a + 1};
@@ -53,6 +56,5 @@ public final class Cell {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasB = false;
     }
 }

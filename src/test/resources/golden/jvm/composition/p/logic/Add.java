@@ -25,6 +25,9 @@ public final class Add {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasB = false;
+
         // line 5: s {a = ?} / {b = a + amount};
         if (hasA) {
             b = a + amount;
@@ -32,6 +35,5 @@ public final class Add {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasB = false;
     }
 }

@@ -110,6 +110,17 @@ public final class Everything {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasD = false;
+        hasSum = false;
+        hasQ = false;
+        hasTiny = false;
+        hasText = false;
+        hasPassed = false;
+        hasNarrow = false;
+        hasF = false;
+        hasC = false;
+
         switch (state) {
             case S:
                 // line 15: s -> t [i + l > 3 && !b] / {d = i / 3, sum = i + 1, q = level == high, other = other + 1};
@@ -120,59 +131,31 @@ public final class Everything {
                     hasSum = true;
                     q = level == LevelCode.HIGH;
                     hasQ = true;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     other = other + 1;
                     state = T;
                     return;
                 }
                 // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny = -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
                 if ((level != LevelCode.SILENCE && !(level == LevelCode.LOW || level == LevelCode.HIGH) || hasI && ((long) i == 1L || (long) i == 2L)) && hasName && hasDigit) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
                     tiny = -5;
                     hasTiny = true;
                     text = "a" + name + "\012\"b\\u0041";
                     hasText = true;
-                    hasPassed = false;
                     narrow = Check.range(digit - 4, -3, 3, "Everything, s -> s (line 16): narrow");
                     hasNarrow = true;
-                    hasF = false;
-                    hasC = false;
                     return;
                 }
                 // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed = cup, range = -base % 7 - small};
                 if (hasCup && cup.level == LevelCode.HIGH || hasCup && cup.volume < (double) cup.weight * factor) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
                     passed = cup;
                     hasPassed = true;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     range = Check.range(-base % 7 - (int) small, -30, 30, "Everything, s -> s (line 17): range");
                     return;
                 }
                 // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte) (digit + small), big = big - digit};
                 if ((level == LevelCode.LOW || level == LevelCode.HIGH) && !hasI == hasL && hasDigit) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
                     tiny = (byte) (digit + (int) small);
                     hasTiny = true;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     big = big - (long) digit;
                     state = T;
                     return;
@@ -181,14 +164,6 @@ public final class Everything {
                 if (hasDigit && (digit == 0 || digit == 1 || digit == 2) && (level == LevelCode.HIGH || level == LevelCode.SILENCE) && hasB) {
                     d = b ? 1.0 : 2.5;
                     hasD = true;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     lv = b ? LevelCode.LOW : LevelCode.HIGH;
                     state = T;
                     return;
@@ -198,14 +173,8 @@ public final class Everything {
             case T:
                 // line 20: t -> s [i / digit > twice % digit] / {f = (float) 1.5, c = 'x', sum = -(big - 1)};
                 if (hasI && hasDigit && Check.divide(i, digit, "Everything, t -> s (line 20)") > Check.remainder(twice, digit, "Everything, t -> s (line 20)")) {
-                    hasD = false;
                     sum = -(big - 1L);
                     hasSum = true;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
                     f = 1.5f;
                     hasF = true;
                     c = 'x';
@@ -217,15 +186,6 @@ public final class Everything {
                 if (hasI && !(i < 0) && other != 0 && hasName && name.equals("x")) {
                     int nextRange = Check.range(other, -30, 30, "Everything, t -> s (line 21): range");
                     int nextOther = range;
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     range = nextRange;
                     other = nextOther;
                     state = S;
@@ -233,32 +193,16 @@ public final class Everything {
                 }
                 // line 22: t -> s [lv == level] / {text = name + "+" + name, other = -other};
                 if (level != LevelCode.SILENCE && lv == level && hasName) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
                     text = name + "+" + name;
                     hasText = true;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     other = -other;
                     state = S;
                     return;
                 }
                 // line 23: t -> s {b = true, cup = ?} / {q = cup.owner != name, lv = level};
                 if (hasB && b && hasCup && hasName && level != LevelCode.SILENCE) {
-                    hasD = false;
-                    hasSum = false;
                     q = !cup.owner.equals(name);
                     hasQ = true;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     lv = level;
                     state = S;
                     return;
@@ -269,14 +213,5 @@ public final class Everything {
                 break;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasD = false;
-        hasSum = false;
-        hasQ = false;
-        hasTiny = false;
-        hasText = false;
-        hasPassed = false;
-        hasNarrow = false;
-        hasF = false;
-        hasC = false;
     }
 }

@@ -36,6 +36,10 @@ public final class Rows {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasM = false;
+        hasOk = false;
+
         // line 9: | low | -- | * | => | 1 | true |;
         if (side == LevelCode.LOW && !hasN) {
             m = 1;
@@ -48,32 +52,26 @@ public final class Rows {
         if (hasN && n == 5 && hasB && b && (side == LevelCode.LOW || side == LevelCode.SILENCE)) {
             m = n + 1;
             hasM = true;
-            hasOk = false;
             return;
         }
         // line 11: | ? | * | * | => | 2 | -- |;
         if (side != LevelCode.SILENCE && !(side == LevelCode.LOW && hasN && n == 5 && hasB && b)) {
             m = 2;
             hasM = true;
-            hasOk = false;
             return;
         }
         // line 12: | * | 3 | -- | => | n | -- |;
         if (hasN && n == 3 && !hasB && side == LevelCode.SILENCE) {
             m = n;
             hasM = true;
-            hasOk = false;
             return;
         }
         // line 13: | * | * | * | => | -- | false |;
         if (!((side == LevelCode.LOW || side == LevelCode.SILENCE) && hasN && n == 5 && hasB && b) && side == LevelCode.SILENCE && !(hasN && n == 3 && !hasB)) {
-            hasM = false;
             ok = false;
             hasOk = true;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasM = false;
-        hasOk = false;
     }
 }

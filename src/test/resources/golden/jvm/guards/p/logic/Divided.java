@@ -26,6 +26,9 @@ public final class Divided {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasSaid = false;
+
         // line 9: s [d < 1 && x > 0] / {said = 1};
         if (d < 1 && x > 0) {
             said = 1;
@@ -39,6 +42,5 @@ public final class Divided {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasSaid = false;
     }
 }

@@ -31,6 +31,9 @@ public final class Kept {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasShown = false;
+
         // line 10: s [left > 1 && down] / {left = left - 1, shown = left};
         if (left > 1 && down) {
             shown = left;
@@ -40,14 +43,12 @@ public final class Kept {
         }
         // line 11: s [left <= 1 && beside >= 3 && beside < 20] / {left = slices - 2, beside = beside + 1};
         if (left <= 1 && beside >= 3 && beside < 20) {
-            hasShown = false;
             left = slices - 2;
             beside = beside + 1;
             return;
         }
         // line 12: s [left == 1 || left == 0] / {beside = 20 - left, left = slices};
         if (left == 1 || left == 0) {
-            hasShown = false;
             beside = 20 - left;
             left = slices;
             return;
@@ -68,12 +69,10 @@ public final class Kept {
         }
         // line 15: s [left < 30] / {left = left - 1, beside = 22 - beside};
         if (left < 30) {
-            hasShown = false;
             left = Check.range(left - 1, 0, 20, "Kept, s -> s (line 15): left");
             beside = Check.range(22 - beside, 0, 20, "Kept, s -> s (line 15): beside");
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasShown = false;
     }
 }

@@ -21,6 +21,9 @@ public final class Unequal {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasSaid = false;
+
         // line 10: s [x < 1.5] / {said = 1};
         if (x < 1.5) {
             said = 1;
@@ -34,6 +37,5 @@ public final class Unequal {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasSaid = false;
     }
 }

@@ -32,24 +32,24 @@ public final class Counts {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasY = false;
+        hasCareful = false;
+
         // line 10: s {x == true} / {two = one, y = two};
         if (hasX && x) {
             y = two;
             hasY = true;
-            hasCareful = false;
             two = one;
             return;
         }
         // line 11: s {x == false} / {one = two % 5, careful = one};
         if (hasX) {
-            hasY = false;
             careful = one;
             hasCareful = true;
             one = Check.range(two % 5, 0, 5, "Counts, s -> s (line 11): one");
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasY = false;
-        hasCareful = false;
     }
 }

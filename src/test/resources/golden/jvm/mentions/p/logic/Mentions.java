@@ -42,6 +42,9 @@ public final class Mentions {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasDone = false;
+
         switch (state) {
             case S:
                 // line 11: s -> t [go && kept == d] / {done = given == a};
@@ -68,6 +71,5 @@ public final class Mentions {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasDone = false;
     }
 }

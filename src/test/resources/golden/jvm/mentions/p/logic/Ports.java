@@ -29,6 +29,9 @@ public final class Ports {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasWhat = false;
+
         // line 9: s [x == y] / {what = 1};
         if (x != LightCode.SILENCE && y != LightCode.SILENCE && x == y) {
             what = 1;
@@ -54,6 +57,5 @@ public final class Ports {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasWhat = false;
     }
 }

@@ -80,26 +80,26 @@ public final class Main {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        String_2 = String_Code.SILENCE;
+        hasStringCode = false;
+        hasChoice = false;
+        enabled_ = Object_Code.SILENCE;
+        hasOut1 = false;
+
         switch (state_) {
             case STATE:
                 // line 10: state -> State {step == clear} / {String = CLEAR, choice = step0};
                 if (step == String_Code.CLEAR) {
                     String_2 = String_Code.CLEAR_2;
-                    hasStringCode = false;
                     choice_ = step0;
                     hasChoice = true;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = STATE_;
                     return;
                 }
                 // line 11: state -> Driving {step == clear} / {String = SILENCE};
                 if (step == String_Code.CLEAR) {
                     String_2 = String_Code.SILENCE_2;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = DRIVING_;
                     return;
                 }
@@ -111,10 +111,6 @@ public final class Main {
                     int nextStepPart = step0;
                     int nextNextStep0 = step0;
                     String_2 = String_Code.VALUES;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     step0 = stepPart;
                     stepPart = nextStepPart;
                     nextStep0 = nextNextStep0;
@@ -126,22 +122,16 @@ public final class Main {
             case STATE_2:
                 // line 13: STATE -> driving {hasInt0 == true} / {StringCode = taken, enabled = native};
                 if (hasHasInt0 && hasInt0 && hasTaken) {
-                    String_2 = String_Code.SILENCE;
                     StringCode = taken;
                     hasStringCode = true;
-                    hasChoice = false;
                     enabled_ = Object_Code.NATIVE;
-                    hasOut1 = false;
                     state_ = DRIVING;
                     return;
                 }
                 // line 14: STATE -> state {class == code} / {enabled = of, String = silence};
                 if (class_ == Object_Code.CODE) {
                     String_2 = String_Code.SILENCE_;
-                    hasStringCode = false;
-                    hasChoice = false;
                     enabled_ = Object_Code.OF;
-                    hasOut1 = false;
                     state_ = STATE;
                     return;
                 }
@@ -150,12 +140,8 @@ public final class Main {
             case DRIVING:
                 // line 15: driving -> class [int0 > 0 && taken < 5] / {choice = int0 + taken + nextStep0};
                 if (hasInt0_ && int0 > 0 && hasTaken && taken < 5) {
-                    String_2 = String_Code.SILENCE;
-                    hasStringCode = false;
                     choice_ = int0 + taken + nextStep0;
                     hasChoice = true;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = CLASS;
                     return;
                 }
@@ -165,10 +151,6 @@ public final class Main {
                 // line 16: Driving -> taken {taken == ?} / {String = name};
                 if (hasTaken) {
                     String_2 = String_Code.NAME;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = TAKEN;
                     return;
                 }
@@ -178,10 +160,6 @@ public final class Main {
                 // line 19: class -> state {class == native} / {String = ordinal};
                 if (class_ == Object_Code.NATIVE) {
                     String_2 = String_Code.ORDINAL;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = STATE;
                     return;
                 }
@@ -190,21 +168,12 @@ public final class Main {
             case TAKEN:
                 // line 17: taken -> StringCode / {String = values};
                 String_2 = String_Code.VALUES;
-                hasStringCode = false;
-                hasChoice = false;
-                enabled_ = Object_Code.SILENCE;
-                hasOut1 = false;
                 state_ = STRING_CODE;
                 return;
 
             case STRING_CODE:
                 // line 18: StringCode -> state {step = alt {silence, SILENCE, CLEAR}};
                 if (step == String_Code.SILENCE_ || step == String_Code.SILENCE_2 || step == String_Code.CLEAR_2) {
-                    String_2 = String_Code.SILENCE;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = STATE;
                     return;
                 }
@@ -214,10 +183,5 @@ public final class Main {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        String_2 = String_Code.SILENCE;
-        hasStringCode = false;
-        hasChoice = false;
-        enabled_ = Object_Code.SILENCE;
-        hasOut1 = false;
     }
 }

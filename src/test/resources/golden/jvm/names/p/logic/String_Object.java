@@ -22,6 +22,9 @@ public final class String_Object {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasNotify = false;
+
         // line 6: s {wait = ?} / {notify = wait};
         if (hasWait) {
             notify = wait;
@@ -29,6 +32,5 @@ public final class String_Object {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasNotify = false;
     }
 }

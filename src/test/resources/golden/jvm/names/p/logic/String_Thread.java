@@ -22,6 +22,9 @@ public final class String_Thread {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasB = false;
+
         // line 11: running {a = ?} / {b = a + 1};
         if (hasA) {
             b = a + 1;
@@ -29,6 +32,5 @@ public final class String_Thread {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasB = false;
     }
 }

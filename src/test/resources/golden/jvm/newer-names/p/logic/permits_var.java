@@ -22,6 +22,9 @@ public final class permits_var {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasVar = false;
+
         // line 10: s {record = ?} / {var = record + 1};
         if (hasRecord) {
             var = record + 1;
@@ -29,6 +32,5 @@ public final class permits_var {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasVar = false;
     }
 }

@@ -22,6 +22,9 @@ public final class permits_yield {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasYield = false;
+
         // line 6: s {_ = ?} / {yield = _};
         if (has_) {
             yield_ = __;
@@ -29,6 +32,5 @@ public final class permits_yield {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasYield = false;
     }
 }

@@ -50,6 +50,10 @@ public final class sealed_ {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasSealed = false;
+        var = record_Code.SILENCE;
+
         switch (state) {
             case __2:
                 // line 9: _ -> yield {_ == ?} / {sealed = _ + __, var = p.Newer.record.record};
@@ -67,7 +71,6 @@ public final class sealed_ {
                 if (hasYield) {
                     sealed = yield_;
                     hasSealed = true;
-                    var = record_Code.SILENCE;
                     when = when + 1;
                     state = RECORD;
                     return;
@@ -88,13 +91,11 @@ public final class sealed_ {
             case VAR:
                 // line 12: var -> _ {permits == ?} / {var = permits};
                 if (permits != record_Code.SILENCE) {
-                    hasSealed = false;
                     var = permits;
                     state = __2;
                     return;
                 }
                 // line 13: var -> yield {permits == --} / {var = assert};
-                hasSealed = false;
                 var = record_Code.ASSERT;
                 state = YIELD;
                 return;
@@ -103,7 +104,5 @@ public final class sealed_ {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasSealed = false;
-        var = record_Code.SILENCE;
     }
 }

@@ -27,6 +27,9 @@ public final class Proximity {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        front = DistanceCode.SILENCE;
+
         // line 22: watching [distance <= near] / {front = tooClose};
         if (distance <= near) {
             front = DistanceCode.TOO_CLOSE;
@@ -38,6 +41,5 @@ public final class Proximity {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        front = DistanceCode.SILENCE;
     }
 }

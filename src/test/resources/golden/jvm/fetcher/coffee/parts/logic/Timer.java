@@ -33,11 +33,13 @@ public final class Timer {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        timerSig = TimerSignalCode.SILENCE;
+
         switch (state) {
             case IDLE:
                 // line 21: idle -> running {timerCmd == delay} / {left = slices - 1};
                 if (timerCmd == TimerCmdCode.DELAY) {
-                    timerSig = TimerSignalCode.SILENCE;
                     left = slices - 1;
                     state = RUNNING;
                     return;
@@ -47,13 +49,11 @@ public final class Timer {
             case RUNNING:
                 // line 22: running {timerCmd == delay} / {left = slices - 1};
                 if (timerCmd == TimerCmdCode.DELAY) {
-                    timerSig = TimerSignalCode.SILENCE;
                     left = slices - 1;
                     return;
                 }
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
                 if (left > 1) {
-                    timerSig = TimerSignalCode.SILENCE;
                     left = left - 1;
                     return;
                 }
@@ -70,6 +70,5 @@ public final class Timer {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        timerSig = TimerSignalCode.SILENCE;
     }
 }

@@ -37,6 +37,9 @@ public final class AvoidCrash {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        cmd = MotorCmdCode.SILENCE;
+
         int enabled;
         switch (state) {
             case DRIVING:
@@ -79,7 +82,6 @@ public final class AvoidCrash {
                 break;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        cmd = MotorCmdCode.SILENCE;
         taken = -1;
     }
 }

@@ -42,6 +42,10 @@ public final class Drive {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasLeftSpeed = false;
+        hasRightSpeed = false;
+
         switch (state) {
             case STANDING:
                 // line 31: standing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
@@ -134,7 +138,5 @@ public final class Drive {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasLeftSpeed = false;
-        hasRightSpeed = false;
     }
 }

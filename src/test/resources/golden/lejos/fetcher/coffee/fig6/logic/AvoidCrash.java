@@ -48,6 +48,10 @@ public final class AvoidCrash {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        cmd = MotorCmdCode.SILENCE;
+        timerCmd = TimerCmdCode.SILENCE;
+
         switch (state) {
             case DRIVING:
                 // line 31: driving -> backing {frontUS == tooClose, gotCoffee == false} / {cmd = backRight, timerCmd = delay};
@@ -60,7 +64,6 @@ public final class AvoidCrash {
                 // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
                 if (frontUS == DistanceCode.TOO_CLOSE) {
                     cmd = MotorCmdCode.STOP;
-                    timerCmd = TimerCmdCode.SILENCE;
                     state = WAITING;
                     return;
                 }
@@ -70,7 +73,6 @@ public final class AvoidCrash {
                 // line 36: backing -> remote {timerSig == alert} / {cmd = stop};
                 if (timerSig == TimerSignalCode.ALERT) {
                     cmd = MotorCmdCode.STOP;
-                    timerCmd = TimerCmdCode.SILENCE;
                     state = REMOTE;
                     return;
                 }
@@ -80,7 +82,6 @@ public final class AvoidCrash {
                 // line 34: waiting -> driving {frontUS == clear} / {cmd = fwd};
                 if (frontUS == DistanceCode.CLEAR) {
                     cmd = MotorCmdCode.FWD;
-                    timerCmd = TimerCmdCode.SILENCE;
                     state = DRIVING;
                     return;
                 }
@@ -90,7 +91,6 @@ public final class AvoidCrash {
                 // line 37: remote -> returning {frontUS == clear} / {cmd = fwd};
                 if (frontUS == DistanceCode.CLEAR) {
                     cmd = MotorCmdCode.FWD;
-                    timerCmd = TimerCmdCode.SILENCE;
                     state = RETURNING;
                     return;
                 }
@@ -99,8 +99,6 @@ public final class AvoidCrash {
             case RETURNING:
                 // line 38: returning -> driving {ls == ok};
                 if (ls == LineStatusCode.OK) {
-                    cmd = MotorCmdCode.SILENCE;
-                    timerCmd = TimerCmdCode.SILENCE;
                     state = DRIVING;
                     return;
                 }
@@ -110,7 +108,5 @@ public final class AvoidCrash {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        cmd = MotorCmdCode.SILENCE;
-        timerCmd = TimerCmdCode.SILENCE;
     }
 }

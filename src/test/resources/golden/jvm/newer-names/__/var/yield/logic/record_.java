@@ -22,6 +22,9 @@ public final class record_ {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasB = false;
+
         // line 4: s {a = ?} / {b = a};
         if (hasA) {
             b = a;
@@ -29,6 +32,5 @@ public final class record_ {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasB = false;
     }
 }

@@ -1,20 +1,19 @@
-package arcomat.pipeline.watch;
+package arcomat.pipeline;
 
 import arcomat.analysis.search.Budget;
-import arcomat.pipeline.Progress;
 
 import java.util.concurrent.CancellationException;
 
 /** Ends work that nobody waits for any longer, at its next step. */
-final class Interruption implements Progress {
+public final class Interruption implements Progress {
     private volatile boolean ended;
 
     /** From any thread. */
-    void end() {
+    public void end() {
         ended = true;
     }
 
-    boolean isEnded() {
+    public boolean isEnded() {
         return ended;
     }
 
@@ -29,12 +28,12 @@ final class Interruption implements Progress {
     @Override
     public void goOn() {
         if (ended) {
-            throw new CancellationException("a newer save has come");
+            throw new CancellationException("nobody waits for it any longer");
         }
     }
 
     /** The same limits, which end with the work. */
-    Budget within(Budget limits) {
+    public Budget within(Budget limits) {
         return new Budget(
                 () -> ended || limits.timeIsUp().getAsBoolean(),
                 limits.memoryIsFull(),

@@ -1,0 +1,16 @@
+package arcomat.pipeline.beside;
+
+import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.SourceFile;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** What a text beside models may refer to. */
+public interface TextsAround {
+    /** A file as it is now, on the screen or on the disk; nothing where there is none. */
+    Optional<SourceFile> text(Path file);
+
+    /** The models of a model root, if it is known here. */
+    Optional<OpenModels> models(Path root);
+}

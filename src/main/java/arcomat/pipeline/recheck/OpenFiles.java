@@ -1,0 +1,186 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.check.Library;
+import arcomat.pipeline.check.ModelLoader;
+import arcomat.pipeline.recheck.CheckState.File;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
+import arcomat.symbols.names.Lazy;
+import arcomat.syntax.Parsed;
+import arcomat.tree.Recovered;
+import arcomat.tree.Unit;
+
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/** The files of a model root as they are now, the library's that they need included. A value. */
+final class OpenFiles {
+    /** As files are found in folders, the library's last. */
+    private static final Comparator<String> ORDER =
+            Comparator.comparing(Library::isShown)
+                    .thenComparing(path -> path.split("/"), Arrays::compare);
+
+    private final Path root;
+    private final SortedMap<String, OpenFile> files;
+    private final OpenModels.Edition edition = new OpenModels.Edition();
+    private final Lazy<Workspace> workspace = new Lazy<>(this::around);
+
+    /**
+     * A file as it is now.
+     *
+     * @param remembered what a check has to know of it; its findings are those of the last check
+     * @param source empty where it cannot be read
+     */
+    record OpenFile(File remembered, Optional<SourceFile> source, Parsed parsed) {}
+
+    private OpenFiles(Path root, SortedMap<String, OpenFile> files) {
+        this.root = root;
+        this.files = files;
+    }
+
+    /** None, in a folder. */
+    static OpenFiles in(Path root) {
+        return new OpenFiles(root, new TreeMap<>(ORDER));
+    }
+
+    /** Reads the new texts. */
+    OpenFiles with(OpenModels.Edit edit) {
+        SortedMap<String, OpenFile> after = new TreeMap<>(files);
+        after.values().removeIf(file -> !file.remembered().named());
+        edit.removed().forEach(after::remove);
+        edit.unreadable().forEach(finding -> after.put(path(finding), unreadable(finding)));
+        StateOfFiles states = states(after.keySet(), edit);
+        List<Parsed> parsed = ModelLoader.parse(edit.written(), Progress.NONE);
+        for (int i = 0; i < parsed.size(); i++) {
+            SourceFile source = edit.written().get(i);
+            after.put(source.path(), open(states, source, parsed.get(i), true));
+        }
+        if (edit.paths().anyMatch(path -> Library.mayHide(path) && cameOrWent(path, after))) {
+            after.replaceAll(
+                    (path, file) ->
+                            file.source()
+                                    .map(source -> open(states, source, file.parsed(), true))
+                                    .orElse(file));
+        }
+        addLibrary(after, states);
+        return new OpenFiles(root, after);
+    }
+
+    private boolean cameOrWent(String path, Map<String, OpenFile> after) {
+        return files.containsKey(path) != after.containsKey(path);
+    }
+
+    private StateOfFiles states(Set<String> kept, OpenModels.Edit edit) {
+        Set<String> named = new HashSet<>(kept);
+        edit.written().forEach(file -> named.add(file.path()));
+        PathNames names = new PathNames(root);
+        return new StateOfFiles(new FilesAround(names, Set.of(PathNames.real(root)), named));
+    }
+
+    static String path(Diagnostic finding) {
+        return finding.span().file().path();
+    }
+
+    private static OpenFile unreadable(Diagnostic finding) {
+        return new OpenFile(
+                StateOfFiles.unreadable(path(finding), true),
+                Optional.empty(),
+                new Parsed(Optional.empty(), Optional.empty(), List.of(finding)));
+    }
+
+    private static OpenFile open(
+            StateOfFiles states, SourceFile source, Parsed parsed, boolean named) {
+        return new OpenFile(states.of(source, parsed, named), Optional.of(source), parsed);
+    }
+
+    /** The library's models that the others need, over any number of steps. */
+    private void addLibrary(Map<String, OpenFile> after, StateOfFiles states) {
+        Deque<String> open = new ArrayDeque<>();
+        after.values().forEach(file -> open.addAll(file.remembered().needs()));
+        while (!open.isEmpty()) {
+            String path = open.remove();
+            if (!after.containsKey(path)) {
+                OpenFile file = files.get(path);
+                if (file == null || file.remembered().named()) {
+                    SourceFile source = Library.file(path);
+                    Parsed parsed = ModelLoader.parse(List.of(source), Progress.NONE).get(0);
+                    file = open(states, source, parsed, false);
+                }
+                after.put(path, file);
+                open.addAll(file.remembered().needs());
+            }
+        }
+    }
+
+    Path root() {
+        return root;
+    }
+
+    /** Another one after each edit. */
+    OpenModels.Edition edition() {
+        return edition;
+    }
+
+    /** All of them, in order. */
+    Map<String, OpenFile> all() {
+        return Collections.unmodifiableMap(files);
+    }
+
+    Optional<OpenFile> file(String path) {
+        return Optional.ofNullable(files.get(path));
+    }
+
+    /** What names mean, also in what could be read of files with syntax errors. */
+    Workspace workspace() {
+        return workspace.get();
+    }
+
+    private Workspace around() {
+        List<Unit> recovered = recovered(path -> true).map(Recovered::unit).toList();
+        return Workspace.around(recovered, units(), broken(), List.of());
+    }
+
+    /** What names mean to a check, which looks at files with syntax errors by themselves. */
+    Workspace whole() {
+        return broken().isEmpty() ? workspace() : Workspace.of(units(), broken());
+    }
+
+    /** Of the files that parse. */
+    List<Unit> units() {
+        return files.values().stream().flatMap(file -> file.parsed().unit().stream()).toList();
+    }
+
+    Stream<Recovered> recovered(Predicate<String> wanted) {
+        return files.entrySet().stream()
+                .filter(each -> wanted.test(each.getKey()))
+                .flatMap(each -> each.getValue().parsed().recovered().stream());
+    }
+
+    /** Paths of those that do not. */
+    Set<String> broken() {
+        Set<String> broken = new HashSet<>();
+        files.forEach(
+                (path, file) -> {
+                    if (file.parsed().unit().isEmpty()) {
+                        broken.add(path);
+                    }
+                });
+        return broken;
+    }
+}
