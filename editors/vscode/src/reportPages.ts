@@ -1,7 +1,7 @@
 import * as fs from 'node:fs/promises';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
-import { CommandLine, Outcome } from './commandLine';
+import { CommandLine, FINE, Outcome } from './commandLine';
 import { openPlace } from './models';
 import { Assets, hash } from './assets';
 import { inTheme, isDark } from './theme';
@@ -24,13 +24,20 @@ export class ReportPages {
     return folder;
   }
 
-  /** Runs a command that can write a page, and shows the page. */
+  /**
+   * Runs a command that can write a page, and shows the page. What went well is on it; else a line tells what is wrong.
+   *
+   * @param home that it runs in; paths below it are told from there
+   */
   async run(title: string, name: string, words: readonly string[], home: string): Promise<Outcome | undefined> {
     const folder = await this.folder(name);
     await fs.rm(path.join(folder, 'index.html'), { force: true });
-    const outcome = await this.tool.show(title, [...words, '--report', folder], home);
+    const short = words.map((word) => (word.startsWith(home + path.sep) ? path.relative(home, word) : word));
+    const outcome = await this.tool.show(title, [...short, '--report', folder], home);
     if (outcome) {
       await this.show(title, name, folder, home);
+    }
+    if (outcome && outcome.status !== FINE) {
       void this.tool.tell(outcome);
     }
     return outcome;
@@ -60,7 +67,7 @@ export class ReportPages {
     const panel = vscode.window.createWebviewPanel(
       'arcomat.page',
       title,
-      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+      { viewColumn: besideText(), preserveFocus: true },
       { enableScripts: true, localResourceRoots: [], retainContextWhenHidden: true },
     );
     panel.webview.onDidReceiveMessage((message: { place?: unknown }) => {
@@ -72,6 +79,11 @@ export class ReportPages {
     this.panels.set(name, panel);
     return panel;
   }
+}
+
+/** Where a page is in front already, the next one comes there, too. */
+function besideText(): vscode.ViewColumn {
+  return vscode.window.activeTextEditor ? vscode.ViewColumn.Beside : vscode.ViewColumn.Active;
 }
 
 async function read(file: string): Promise<string | undefined> {

@@ -23,6 +23,7 @@ import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.RenameFile;
 import org.eclipse.lsp4j.ResourceOperation;
 import org.eclipse.lsp4j.ResourceOperationKind;
+import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ShowDocumentCapabilities;
 import org.eclipse.lsp4j.ShowDocumentParams;
 import org.eclipse.lsp4j.ShowDocumentResult;
@@ -69,8 +70,10 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
     private final Path folder;
     private final LanguageServer server;
+    private final ServerCapabilities announced;
     private final Map<String, SourceFile> open = new TreeMap<>();
     private final Map<String, Integer> versions = new TreeMap<>();
+    private final List<String> messages = new CopyOnWriteArrayList<>();
     private final Map<String, List<Diagnostic>> problems = new ConcurrentHashMap<>();
     private final List<String> shown = new CopyOnWriteArrayList<>();
 
@@ -98,13 +101,13 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         this.server = asking.getRemoteProxy();
         asking.startListening();
         InitializeParams params = new InitializeParams();
-        params.setCapabilities(capabilities());
+        params.setCapabilities(own());
         params.setWorkspaceFolders(List.of(new WorkspaceFolder(address("."), "test")));
-        get(server.initialize(params));
+        this.announced = get(server.initialize(params)).getCapabilities();
         server.initialized(new InitializedParams());
     }
 
-    private static ClientCapabilities capabilities() {
+    private static ClientCapabilities own() {
         var edits = new WorkspaceEditCapabilities();
         edits.setDocumentChanges(true);
         edits.setResourceOperations(List.of(ResourceOperationKind.Rename));
@@ -116,6 +119,11 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         window.setShowDocument(new ShowDocumentCapabilities(true));
         capabilities.setWindow(window);
         return capabilities;
+    }
+
+    /** What the server says that it can do. */
+    ServerCapabilities capabilities() {
+        return announced;
     }
 
     LanguageServer server() {
@@ -288,8 +296,17 @@ final class EditorClient implements LanguageClient, AutoCloseable {
     @Override
     public void telemetryEvent(Object object) {}
 
+    /** What it was told since it was last asked. */
+    List<String> messages() {
+        List<String> all = List.copyOf(messages);
+        messages.removeAll(all);
+        return all;
+    }
+
     @Override
-    public void showMessage(MessageParams params) {}
+    public void showMessage(MessageParams params) {
+        messages.add(params.getMessage());
+    }
 
     @Override
     public CompletableFuture<MessageActionItem> showMessageRequest(

@@ -51,7 +51,11 @@ final class EditorScript {
 
     private String otherwise(String step, String word, String path, String place, String rest)
             throws IOException {
-        Optional<String> seen = new NameSteps(client).run(word, path, place, rest);
+        Optional<String> seen =
+                new NameSteps(client)
+                        .run(word, path, place, rest)
+                        .or(() -> new ShapeSteps(client).run(word, path, place))
+                        .or(() -> new FactSteps(client).run(word, path, place));
         return (seen.isPresent() ? seen : new VerdictSteps(client).run(word, path, place))
                 .orElseThrow(() -> new AssertionError("no step: " + step));
     }

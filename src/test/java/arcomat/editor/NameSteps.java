@@ -112,7 +112,9 @@ final class NameSteps {
                     } catch (IOException e) {
                         throw new UncheckedIOException(e);
                     }
-                    return "";
+                    return client.messages().stream()
+                            .map(each -> "warned: " + each + "\n")
+                            .collect(Collectors.joining());
                 });
     }
 

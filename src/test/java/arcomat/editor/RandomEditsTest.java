@@ -7,6 +7,13 @@ import arcomat.editor.answer.Fixes;
 import arcomat.editor.answer.GoTo;
 import arcomat.editor.answer.NamedPlaces;
 import arcomat.editor.answer.completion.Completion;
+import arcomat.editor.answer.fact.HoverCard;
+import arcomat.editor.answer.fact.InlineFacts;
+import arcomat.editor.answer.fact.ParameterHelp;
+import arcomat.editor.answer.shape.DocumentOutline;
+import arcomat.editor.answer.shape.Folds;
+import arcomat.editor.answer.shape.NameColours;
+import arcomat.editor.answer.shape.Selections;
 import arcomat.editor.desk.Desk;
 import arcomat.editor.desk.View;
 import arcomat.editor.text.Positions;
@@ -235,5 +242,12 @@ class RandomEditsTest {
         assertThat(NamedPlaces.references(view, position, true)).doesNotContainNull();
         assertThat(Fixes.at(view, Positions.all(view.file()), List.of())).doesNotContainNull();
         assertThat(CanonicalLayout.of(view.file())).doesNotContainNull();
+        assertThat(HoverCard.at(view, position)).isNotNull();
+        assertThat(ParameterHelp.at(view, offset)).isNotNull();
+        assertThat(InlineFacts.in(view, Positions.all(view.file()))).doesNotContainNull();
+        assertThat(DocumentOutline.of(view)).doesNotContainNull();
+        assertThat(Folds.of(view)).doesNotContainNull();
+        assertThat(Selections.at(view, List.of(position))).hasSize(1);
+        assertThat(NameColours.of(view).getData()).isNotNull();
     }
 }

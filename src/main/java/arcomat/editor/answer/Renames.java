@@ -1,8 +1,10 @@
 package arcomat.editor.answer;
 
+import arcomat.editor.desk.OtherTexts;
 import arcomat.editor.desk.View;
 import arcomat.editor.name.RenamePlan;
 import arcomat.editor.name.RenameRefused;
+import arcomat.editor.name.RenamedBeside;
 import arcomat.editor.name.Renaming;
 import arcomat.editor.text.Positions;
 import arcomat.source.Fix;
@@ -19,10 +21,13 @@ import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
 import org.eclipse.lsp4j.WorkspaceEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
 
 /** Renaming as editors do it. */
 public final class Renames {
@@ -35,26 +40,47 @@ public final class Renames {
     }
 
     /**
+     * What is to be done.
+     *
+     * @param warning of what is not done; for a person
+     */
+    public record Answer(WorkspaceEdit edit, Optional<String> warning) {}
+
+    /**
      * @param movesFiles whether the editor can rename files as well
+     * @param others what lies beside the models; asked once the models can be renamed
      * @param goOn asked now and then; it may throw what ends the work
      */
-    public static WorkspaceEdit edit(
-            View view, Position position, String name, boolean movesFiles, Runnable goOn)
+    public static Answer edit(
+            View view,
+            Position position,
+            String name,
+            boolean movesFiles,
+            Supplier<OtherTexts> others,
+            Runnable goOn)
             throws RenameRefused {
         Occurrence target = Renaming.target(view, view.offset(position));
         RenamePlan plan = Renaming.plan(view.models(), target.referent(), name, goOn);
-        if (plan.moves().isEmpty()) {
-            return new WorkspaceEdit(changes(view, plan));
-        }
-        if (!movesFiles) {
+        if (!plan.moves().isEmpty() && !movesFiles) {
             throw RenameRefused.becauseOfFiles(plan.moves());
         }
-        return new WorkspaceEdit(changesAndMoves(view, plan));
+        RenamedBeside beside = RenamedBeside.of(plan, others.get());
+        Map<String, List<TextEdit>> changes = changes(view, plan, beside);
+        return new Answer(
+                plan.moves().isEmpty()
+                        ? new WorkspaceEdit(changes)
+                        : new WorkspaceEdit(changesAndMoves(view, plan, changes)),
+                beside.warning(view.models().root()));
     }
 
-    private static Map<String, List<TextEdit>> changes(View view, RenamePlan plan) {
+    private static Map<String, List<TextEdit>> changes(
+            View view, RenamePlan plan, RenamedBeside beside) {
         Map<String, List<TextEdit>> changes = new LinkedHashMap<>();
         plan.edits().forEach((path, edits) -> changes.put(view.address(path), edits(edits)));
+        beside.edits()
+                .forEach(
+                        (path, edits) ->
+                                changes.put(Path.of(path).toUri().toString(), edits(edits)));
         return changes;
     }
 
@@ -66,22 +92,9 @@ public final class Renames {
 
     /** First the texts, under their old names. */
     private static List<Either<TextDocumentEdit, ResourceOperation>> changesAndMoves(
-            View view, RenamePlan plan) {
+            View view, RenamePlan plan, Map<String, List<TextEdit>> changes) {
         List<Either<TextDocumentEdit, ResourceOperation>> all = new ArrayList<>();
-        changes(view, plan)
-                .forEach(
-                        (address, edits) ->
-                                all.add(
-                                        Either.forLeft(
-                                                new TextDocumentEdit(
-                                                        new VersionedTextDocumentIdentifier(
-                                                                address, null),
-                                                        edits.stream()
-                                                                .map(
-                                                                        Either
-                                                                                ::<TextEdit,
-                                                                                        SnippetTextEdit>forLeft)
-                                                                .toList()))));
+        changes.forEach((address, edits) -> all.add(Either.forLeft(changed(address, edits))));
         plan.moves()
                 .forEach(
                         (from, to) ->
@@ -90,5 +103,11 @@ public final class Renames {
                                                 new RenameFile(
                                                         view.address(from), view.address(to)))));
         return all;
+    }
+
+    private static TextDocumentEdit changed(String address, List<TextEdit> edits) {
+        return new TextDocumentEdit(
+                new VersionedTextDocumentIdentifier(address, null),
+                edits.stream().map(Either::<TextEdit, SnippetTextEdit>forLeft).toList());
     }
 }

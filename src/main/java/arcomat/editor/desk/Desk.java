@@ -189,6 +189,21 @@ public final class Desk {
         return Optional.ofNullable(screen.get(file));
     }
 
+    /** What lies beside some models, in their folder and in those of the workspace. */
+    public OtherTexts around(OpenModels models) {
+        Set<Path> around = new HashSet<>(folders);
+        around.add(models.root());
+        return new OtherTexts(
+                new TextsInFolders(MADE::contains, screen).in(around),
+                name -> isDefinedBeside(models, name));
+    }
+
+    private boolean isDefinedBeside(OpenModels models, String component) {
+        return roots.all().stream()
+                .filter(each -> !each.root().equals(models.root()))
+                .anyMatch(each -> !each.workspace().components(component).isEmpty());
+    }
+
     /** A text beside models that is on the screen, by what its name says that it is. */
     public Optional<BesideText> beside(Path file) {
         return onScreen(file)

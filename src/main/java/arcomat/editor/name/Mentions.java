@@ -9,6 +9,7 @@ import arcomat.symbols.occurrences.Referent;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** Where things are named, in a file or in all files of its models. */
@@ -48,7 +49,7 @@ public final class Mentions {
     }
 
     /** The files in which a word stands, be it in a comment: it is quicker than to read them. */
-    static Stream<String> withWord(OpenModels models, String word) {
+    public static Stream<String> withWord(OpenModels models, String word) {
         return models.paths().stream()
                 .filter(
                         path ->
@@ -58,13 +59,24 @@ public final class Mentions {
     }
 
     static boolean mentions(SourceFile source, String word) {
-        String text = source.text();
-        for (int at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
+        return nextPlace(source.text(), word, 0) >= 0;
+    }
+
+    /** Where a word begins, each time that it stands in a text. */
+    static IntStream places(SourceFile source, String word) {
+        return IntStream.iterate(
+                nextPlace(source.text(), word, 0),
+                at -> at >= 0,
+                at -> nextPlace(source.text(), word, at + 1));
+    }
+
+    private static int nextPlace(String text, String word, int from) {
+        for (int at = text.indexOf(word, from); at >= 0; at = text.indexOf(word, at + 1)) {
             if (isWord(text, at, at + word.length())) {
-                return true;
+                return at;
             }
         }
-        return false;
+        return -1;
     }
 
     private static boolean isWord(String text, int start, int end) {

@@ -32,14 +32,19 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /** What editors say and ask about one file. */
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
     private final VerdictRequests verdicts;
 
-    DocumentRequests(Worker worker, BooleanSupplier movesFiles, VerdictRequests verdicts) {
-        super(worker, movesFiles);
+    DocumentRequests(
+            Worker worker,
+            BooleanSupplier movesFiles,
+            Consumer<String> warnings,
+            VerdictRequests verdicts) {
+        super(worker, movesFiles, warnings);
         this.worker = worker;
         this.verdicts = verdicts;
     }

@@ -193,6 +193,10 @@ public final class EditorServer implements LanguageServer {
         }
     }
 
+    private void warn(String message) {
+        client.showMessage(new MessageParams(MessageType.Warning, message));
+    }
+
     @Override
     public CompletableFuture<Object> shutdown() {
         shutDown = true;
@@ -209,7 +213,8 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(worker, () -> abilities.movesFiles(), verdictRequests);
+        return new DocumentRequests(
+                worker, () -> abilities.movesFiles(), this::warn, verdictRequests);
     }
 
     @Override

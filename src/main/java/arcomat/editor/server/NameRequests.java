@@ -25,50 +25,45 @@ import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.eclipse.lsp4j.TypeDefinitionParams;
 import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.jsonrpc.CancelChecker;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.jsonrpc.messages.Either3;
 import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
 import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
-import org.eclipse.lsp4j.services.TextDocumentService;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** What editors ask about names in one file. */
-abstract class NameRequests implements TextDocumentService {
+abstract class NameRequests extends FactRequests {
     private final Worker worker;
     private final BooleanSupplier movesFiles;
+    private final Consumer<String> warnings;
 
     /**
      * @param movesFiles whether the editor can rename files, once it has said so
+     * @param warnings shown to whoever sits in front of the editor
      */
-    NameRequests(Worker worker, BooleanSupplier movesFiles) {
+    NameRequests(Worker worker, BooleanSupplier movesFiles, Consumer<String> warnings) {
+        super(worker);
         this.worker = worker;
         this.movesFiles = movesFiles;
+        this.warnings = warnings;
     }
 
     static void announce(ServerCapabilities can) {
+        FactRequests.announce(can);
         can.setDefinitionProvider(true);
         can.setTypeDefinitionProvider(true);
         can.setImplementationProvider(true);
         can.setReferencesProvider(true);
         can.setDocumentHighlightProvider(true);
         can.setRenameProvider(new RenameOptions(true));
-    }
-
-    /** Asks about a model as it is on the screen; the answer is empty where it is none. */
-    final <T> CompletableFuture<List<T>> ask(
-            TextDocumentIdentifier document, Function<View, List<T>> question) {
-        return worker.ask(
-                (desk, canceled) ->
-                        Positions.path(document.getUri())
-                                .flatMap(desk::view)
-                                .map(question)
-                                .orElse(List.of()));
     }
 
     private CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
@@ -150,16 +145,26 @@ abstract class NameRequests implements TextDocumentService {
     @Override
     public CompletableFuture<WorkspaceEdit> rename(RenameParams params) {
         return worker.askChecked(
-                (desk, canceled) ->
-                        answer(
-                                desk,
-                                params.getTextDocument(),
-                                view ->
-                                        Renames.edit(
-                                                view,
-                                                params.getPosition(),
-                                                params.getNewName(),
-                                                movesFiles.getAsBoolean(),
-                                                canceled::checkCanceled)));
+                (desk, canceled) -> {
+                    Renames.Answer answer =
+                            answer(
+                                    desk,
+                                    params.getTextDocument(),
+                                    view -> renamed(params, view, desk, canceled));
+                    answer.warning().ifPresent(warnings);
+                    return answer.edit();
+                });
+    }
+
+    private Renames.Answer renamed(
+            RenameParams params, View view, Desk desk, CancelChecker canceled)
+            throws RenameRefused {
+        return Renames.edit(
+                view,
+                params.getPosition(),
+                params.getNewName(),
+                movesFiles.getAsBoolean(),
+                () -> desk.around(view.models()),
+                canceled::checkCanceled);
     }
 }

@@ -1,12 +1,17 @@
 package arcomat.editor.server;
 
+import arcomat.editor.answer.shape.SymbolSearch;
 import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
 import org.eclipse.lsp4j.ExecuteCommandParams;
+import org.eclipse.lsp4j.SymbolInformation;
 import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.WorkspaceSymbol;
+import org.eclipse.lsp4j.WorkspaceSymbolParams;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.services.WorkspaceService;
 
 import java.nio.file.Path;
@@ -47,6 +52,14 @@ final class WorkspaceRequests implements WorkspaceService {
         for (WorkspaceFolder folder : params.getEvent().getAdded()) {
             Positions.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.add(path)));
         }
+    }
+
+    @Override
+    public CompletableFuture<
+                    Either<List<? extends SymbolInformation>, List<? extends WorkspaceSymbol>>>
+            symbol(WorkspaceSymbolParams params) {
+        SymbolSearch search = new SymbolSearch(params.getQuery());
+        return worker.ask((desk, canceled) -> Either.forRight(search.on(desk)));
     }
 
     /** There is nothing to be configured yet. */

@@ -15,11 +15,13 @@ import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -152,8 +154,33 @@ final class OpenFiles {
     }
 
     private Workspace around() {
-        List<Unit> recovered = recovered(path -> true).map(Recovered::unit).toList();
-        return Workspace.around(recovered, units(), broken(), List.of());
+        return workspace(parsed());
+    }
+
+    private Map<String, Parsed> parsed() {
+        Map<String, Parsed> parsed = new LinkedHashMap<>();
+        files.forEach((path, file) -> parsed.put(path, file.parsed()));
+        return parsed;
+    }
+
+    private static Workspace workspace(Map<String, Parsed> files) {
+        List<Unit> recovered = new ArrayList<>();
+        List<Unit> units = new ArrayList<>();
+        Set<String> broken = new HashSet<>();
+        files.forEach(
+                (path, parsed) -> {
+                    parsed.recovered().map(Recovered::unit).ifPresent(recovered::add);
+                    parsed.unit().ifPresentOrElse(units::add, () -> broken.add(path));
+                });
+        return Workspace.around(recovered, units, broken, List.of());
+    }
+
+    /** What names would mean if a file had another text. */
+    OpenModels.Draft draft(SourceFile text) {
+        Map<String, Parsed> parsed = parsed();
+        Parsed written = ModelLoader.parse(List.of(text), Progress.NONE).get(0);
+        parsed.put(text.path(), written);
+        return new OpenModels.Draft(written.readable(), workspace(parsed));
     }
 
     /** What names mean to a check, which looks at files with syntax errors by themselves. */

@@ -11,6 +11,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.tree.Recovered;
+import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.Collections;
@@ -78,6 +79,22 @@ public final class OpenModels {
     /** Reads the new texts; findings about meaning stay those of the last check. */
     public OpenModels with(Edit edit) {
         return new OpenModels(executable, files.with(edit), checked);
+    }
+
+    /**
+     * One file with another text, for a question about what somebody is writing.
+     *
+     * @param unit what could be read of it
+     * @param workspace of all files, with this one
+     */
+    public record Draft(Optional<Unit> unit, Workspace workspace) {}
+
+    /**
+     * What names would mean if a file had another text. It is less than an edit: nothing is
+     * compared with what was checked, and the file needs no more of the library than before.
+     */
+    public Draft draft(SourceFile text) {
+        return files.draft(text);
     }
 
     /**

@@ -67,6 +67,9 @@ public sealed interface Referent {
         }
     }
 
+    /** Takes the sum apart: one answer for each form. */
+    <R> R match(ReferentCases<R> cases);
+
     Declared declared();
 
     default Kind kind() {
@@ -120,6 +123,11 @@ public sealed interface Referent {
     /** One of the names in a path of packages, with all in front of it. */
     record PackageName(String qualifiedName) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.packageName(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.nowhere(
                     Kind.PACKAGE, qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1));
@@ -132,6 +140,11 @@ public sealed interface Referent {
     }
 
     record Component(Signature signature) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.component(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(signature.nameSpan(), Kind.COMPONENT, signature.name());
@@ -148,6 +161,11 @@ public sealed interface Referent {
 
     record Diagram(Name written, String qualifiedName) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.diagram(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(written.span(), Kind.DIAGRAM, written.text());
         }
@@ -159,6 +177,11 @@ public sealed interface Referent {
     }
 
     record Type(DefinedType symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.type(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.TYPE, symbol.text());
@@ -173,6 +196,11 @@ public sealed interface Referent {
 
     record Builtin(BuiltinType type) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.builtin(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.nowhere(Kind.BUILTIN, type.text());
         }
@@ -185,12 +213,22 @@ public sealed interface Referent {
 
     record TypeParameter(TypeVariable variable) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.typeParameter(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(variable.node().name().span(), Kind.TYPE_PARAMETER, variable.text());
         }
     }
 
     record Constant(EnumSymbol type, int ordinal) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.constant(this);
+        }
+
         private Name written() {
             return type.node().constants().get(ordinal);
         }
@@ -213,6 +251,11 @@ public sealed interface Referent {
 
     record Attribute(AttributeSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.attribute(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(symbol.node().name().span(), Kind.ATTRIBUTE, symbol.name());
         }
@@ -227,6 +270,11 @@ public sealed interface Referent {
      * @param symbol under the name that the component itself has for it
      */
     record Port(PortSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.port(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.PORT, symbol.name());
@@ -244,6 +292,11 @@ public sealed interface Referent {
     }
 
     record Part(InstanceSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.part(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.PART, symbol.name());
@@ -263,6 +316,11 @@ public sealed interface Referent {
     /** Of an automaton, or a constant of a component. */
     record Variable(VariableSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.variable(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.VARIABLE, symbol.name());
         }
@@ -274,6 +332,11 @@ public sealed interface Referent {
     }
 
     record Parameter(ParameterSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.parameter(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.PARAMETER, symbol.name());
@@ -287,6 +350,11 @@ public sealed interface Referent {
 
     record State(AutomatonSymbol automaton, StateSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.state(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.STATE, symbol.name());
         }
@@ -295,12 +363,22 @@ public sealed interface Referent {
     /** An automaton or an {@code implementation} with a name, to which nothing can refer. */
     record Behaviour(Name written) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.behaviour(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(written.span(), Kind.BEHAVIOUR, written.text());
         }
     }
 
     record Invariant(InvariantSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.invariant(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.nameSpan(), Kind.INVARIANT, symbol.name());
@@ -309,12 +387,22 @@ public sealed interface Referent {
 
     record Suite(TestSuiteSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.suite(this);
+        }
+
+        @Override
         public Declared declared() {
             return Declared.at(symbol.node().name().span(), Kind.SUITE, symbol.name());
         }
     }
 
     record Test(StreamTestSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.test(this);
+        }
+
         @Override
         public Declared declared() {
             return Declared.at(symbol.node().name().span(), Kind.TEST, symbol.name());

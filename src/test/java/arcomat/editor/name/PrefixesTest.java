@@ -6,6 +6,7 @@ import arcomat.editor.answer.GoTo;
 import arcomat.editor.answer.NamedPlaces;
 import arcomat.editor.answer.Renames;
 import arcomat.editor.desk.Desk;
+import arcomat.editor.desk.OtherTexts;
 import arcomat.editor.desk.View;
 import arcomat.editor.text.Positions;
 
@@ -73,9 +74,13 @@ class PrefixesTest {
         NamedPlaces.inFile(view, at);
         try {
             Renames.prepare(view, at);
-            Renames.edit(view, at, "somethingElse", true, () -> {});
+            Renames.edit(view, at, "somethingElse", true, PrefixesTest::nothing, () -> {});
         } catch (RenameRefused refused) {
             // A reason is an answer.
         }
+    }
+
+    private static OtherTexts nothing() {
+        return new OtherTexts(List.of(), name -> false);
     }
 }

@@ -3,11 +3,14 @@ package arcomat.report.page;
 import org.openqa.selenium.By;
 import org.openqa.selenium.JavascriptExecutor;
 import org.openqa.selenium.Keys;
+import org.openqa.selenium.NotFoundException;
 import org.openqa.selenium.OutputType;
+import org.openqa.selenium.StaleElementReferenceException;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.interactions.Actions;
 import org.openqa.selenium.logging.LogEntry;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
@@ -34,7 +37,17 @@ public final class Browser implements AutoCloseable {
 
     private final ChromeDriver driver;
 
+    private final Duration patience;
+
     public Browser() {
+        this(PATIENCE);
+    }
+
+    /**
+     * @param patience how long something is waited for
+     */
+    public Browser(Duration patience) {
+        this.patience = patience;
         LoggingPreferences logging = new LoggingPreferences();
         logging.enable(LogType.BROWSER, Level.ALL);
         ChromeOptions options = new ChromeOptions();
@@ -92,6 +105,36 @@ public final class Browser implements AutoCloseable {
         press(Keys.chord(Keys.SHIFT, key));
     }
 
+    /** Types as a person does, in whatever has the focus. */
+    public void type(CharSequence text) {
+        new Actions(driver).sendKeys(text).perform();
+    }
+
+    /** Presses keys all together, in whatever has the focus. */
+    public void chord(List<CharSequence> keys) {
+        Actions actions = new Actions(driver);
+        keys.forEach(actions::keyDown);
+        keys.forEach(actions::keyUp);
+        actions.perform();
+    }
+
+    /** Whether something is so in some frame: in one that lies within one that a selector finds. */
+    public boolean inSomeFrame(String outer, String inner, Supplier<Boolean> question) {
+        return findAll(outer).stream().anyMatch(frame -> inFrame(frame, inner, question));
+    }
+
+    private boolean inFrame(WebElement outer, String inner, Supplier<Boolean> question) {
+        try {
+            driver.switchTo().frame(outer);
+            driver.switchTo().frame(find(inner));
+            return question.get();
+        } catch (NotFoundException | StaleElementReferenceException beingLoaded) {
+            return false;
+        } finally {
+            driver.switchTo().defaultContent();
+        }
+    }
+
     public WebElement find(String selector) {
         return driver.findElement(By.cssSelector(selector));
     }
@@ -110,7 +153,7 @@ public final class Browser implements AutoCloseable {
 
     /** Waits until something is so; fails after a while. */
     public void await(Supplier<Boolean> condition) {
-        Instant end = Instant.now().plus(PATIENCE);
+        Instant end = Instant.now().plus(patience);
         while (!condition.get()) {
             if (Instant.now().isAfter(end)) {
                 throw new AssertionError("waited in vain");

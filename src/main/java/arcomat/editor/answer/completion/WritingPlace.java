@@ -28,18 +28,14 @@ import java.util.stream.Stream;
  * @param unit the file without the statement; nothing where the rest does not parse either
  * @param workspace with that unit
  */
-record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspace workspace) {
+public record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspace workspace) {
 
-    static WritingPlace of(View view, Caret caret) {
+    public static WritingPlace of(View view, Caret caret) {
         SourceFile file = view.file();
         String path = file.path();
         SourceFile rest = new SourceFile(path, without(caret.written(), file.text()));
-        OpenModels models = view.models().with(OpenModels.Edit.of(List.of(rest)));
-        return new WritingPlace(
-                caret,
-                caret.written().end(),
-                models.parsed(path).flatMap(parsed -> parsed.readable()),
-                models.workspace());
+        OpenModels.Draft draft = view.models().draft(rest);
+        return new WritingPlace(caret, caret.written().end(), draft.unit(), draft.workspace());
     }
 
     /** Blanks keep all other places where they are. A statement is hoped to end with its line. */
@@ -55,7 +51,7 @@ record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspace work
     }
 
     /** The innermost component around the place. */
-    Optional<ComponentSymbol> component() {
+    public Optional<ComponentSymbol> component() {
         return innermost(
                 workspace.components().stream(), ComponentSymbol::unit, ComponentSymbol::node);
     }

@@ -1,0 +1,114 @@
+package arcomat.editor.answer.fact;
+
+import arcomat.editor.desk.View;
+import arcomat.editor.text.Positions;
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.tree.Node;
+import arcomat.tree.Unit;
+
+import org.eclipse.lsp4j.InlayHint;
+import org.eclipse.lsp4j.InlayHintKind;
+import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What an editor shows inside of a text, though it is not written there: which parameter an
+ * argument is for, and what the parts make of the outputs of a decomposed component, its delay and
+ * whether it is ever silent.
+ */
+public final class InlineFacts {
+    private final Span wanted;
+    private final View view;
+    private final List<InlayHint> hints = new ArrayList<>();
+
+    private InlineFacts(View view, Span wanted) {
+        this.view = view;
+        this.wanted = wanted;
+    }
+
+    public static List<InlayHint> in(View view, Range range) {
+        InlineFacts facts = new InlineFacts(view, Positions.span(view.file(), range));
+        view.parsed().readable().ifPresent(facts::addAll);
+        return facts.hints;
+    }
+
+    private void addAll(Unit unit) {
+        view.models().workspace().components().stream()
+                .filter(each -> each.unit() == unit)
+                .forEach(this::add);
+        view.models().workspace().testSuites().stream()
+                .filter(each -> each.unit() == unit)
+                .forEach(this::add);
+    }
+
+    private void add(ComponentSymbol component) {
+        Node last = null;
+        for (InstanceSymbol part : component.ownInstances()) {
+            if (part.node() != last) {
+                part.component()
+                        .ifPresent(type -> addArguments(type.parameters(), part.arguments()));
+            }
+            last = part.node();
+        }
+        if (component.isDecomposed() && !component.isEventDriven()) {
+            component.signature().ownPorts().stream()
+                    .filter(PortSymbol::isOutput)
+                    .forEach(port -> addOutput(component, port));
+        }
+    }
+
+    private void add(TestSuiteSymbol suite) {
+        suite.component()
+                .found()
+                .ifPresent(type -> addArguments(type.parameters(), suite.arguments()));
+    }
+
+    private void addArguments(List<ParameterSymbol> parameters, List<Typed> arguments) {
+        for (int i = 0; i < Math.min(parameters.size(), arguments.size()); i++) {
+            Span argument = arguments.get(i).expression().node().span();
+            String name = parameters.get(i).name();
+            if (!argument.text().equals(name)) {
+                add(argument.start(), name + ":", InlayHintKind.Parameter);
+            }
+        }
+    }
+
+    /** Where no part sends it there is nothing to tell. */
+    private void addOutput(ComponentSymbol component, PortSymbol port) {
+        Optional<ConnectorSymbol> sender =
+                component.connectorTo(port.name()).filter(ConnectorSymbol::isResolved);
+        sender.flatMap(each -> each.source().port())
+                .ifPresent(
+                        source -> {
+                            int delay =
+                                    view.models().workspace().delays().effective(component, port);
+                            String silent = source.isTotal() && !port.isTotal() ? ", total" : "";
+                            add(
+                                    port.nameSpan().end(),
+                                    "delay " + delay + silent,
+                                    InlayHintKind.Type);
+                        });
+    }
+
+    private void add(int offset, String label, InlayHintKind kind) {
+        if (wanted.start() <= offset && offset <= wanted.end()) {
+            InlayHint hint =
+                    new InlayHint(Positions.position(view.file(), offset), Either.forLeft(label));
+            hint.setKind(kind);
+            hint.setPaddingLeft(kind == InlayHintKind.Type);
+            hint.setPaddingRight(kind == InlayHintKind.Parameter);
+            hints.add(hint);
+        }
+    }
+}

@@ -1,0 +1,117 @@
+package arcomat.editor.answer.shape;
+
+import arcomat.editor.desk.View;
+import arcomat.editor.name.Mentions;
+import arcomat.editor.text.Positions;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.occurrences.Occurrence;
+import arcomat.symbols.occurrences.Occurrence.Role;
+import arcomat.symbols.occurrences.Referent;
+
+import org.eclipse.lsp4j.Position;
+import org.eclipse.lsp4j.SemanticTokenModifiers;
+import org.eclipse.lsp4j.SemanticTokenTypes;
+import org.eclipse.lsp4j.SemanticTokens;
+import org.eclipse.lsp4j.SemanticTokensLegend;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What each name of a file is, for its colour. Words of the language have none of these: a grammar
+ * for colours knows them, and the names among them that only look like keywords are these.
+ */
+public final class NameColours {
+    private static final List<String> TYPES =
+            List.of(
+                    SemanticTokenTypes.Namespace,
+                    SemanticTokenTypes.Class,
+                    SemanticTokenTypes.Enum,
+                    SemanticTokenTypes.Struct,
+                    SemanticTokenTypes.Type,
+                    SemanticTokenTypes.TypeParameter,
+                    SemanticTokenTypes.EnumMember,
+                    SemanticTokenTypes.Property,
+                    SemanticTokenTypes.Variable,
+                    SemanticTokenTypes.Parameter,
+                    SemanticTokenTypes.Label,
+                    SemanticTokenTypes.Function,
+                    SemanticTokenTypes.Method);
+
+    private static final List<String> MODIFIERS =
+            List.of(
+                    SemanticTokenModifiers.Declaration,
+                    SemanticTokenModifiers.Modification,
+                    SemanticTokenModifiers.Readonly,
+                    SemanticTokenModifiers.DefaultLibrary);
+
+    /** Which number stands for what. */
+    public static final SemanticTokensLegend LEGEND = new SemanticTokensLegend(TYPES, MODIFIERS);
+
+    private NameColours() {}
+
+    public static SemanticTokens of(View view) {
+        List<Integer> data = new ArrayList<>();
+        Position last = new Position(0, 0);
+        for (Occurrence each : Mentions.in(view)) {
+            Position place = Positions.position(view.file(), each.span().start());
+            int lines = place.getLine() - last.getLine();
+            data.add(lines);
+            data.add(place.getCharacter() - (lines == 0 ? last.getCharacter() : 0));
+            data.add(each.span().end() - each.span().start());
+            data.add(TYPES.indexOf(type(each.referent())));
+            data.add(modifiers(view, each));
+            last = place;
+        }
+        return new SemanticTokens(data);
+    }
+
+    private static String type(Referent referent) {
+        return switch (referent.kind()) {
+            case PACKAGE, DIAGRAM -> SemanticTokenTypes.Namespace;
+            case COMPONENT, SUITE -> SemanticTokenTypes.Class;
+            case TYPE ->
+                    ((Referent.Type) referent).symbol() instanceof EnumSymbol
+                            ? SemanticTokenTypes.Enum
+                            : SemanticTokenTypes.Struct;
+            case BUILTIN -> SemanticTokenTypes.Type;
+            case TYPE_PARAMETER -> SemanticTokenTypes.TypeParameter;
+            case CONSTANT -> SemanticTokenTypes.EnumMember;
+            case ATTRIBUTE, PORT -> SemanticTokenTypes.Property;
+            case PART, VARIABLE -> SemanticTokenTypes.Variable;
+            case PARAMETER -> SemanticTokenTypes.Parameter;
+            case STATE -> SemanticTokenTypes.Label;
+            case BEHAVIOUR, INVARIANT -> SemanticTokenTypes.Function;
+            case TEST -> SemanticTokenTypes.Method;
+        };
+    }
+
+    private static int modifiers(View view, Occurrence occurrence) {
+        Referent referent = occurrence.referent();
+        return bit(SemanticTokenModifiers.Declaration, occurrence.isDeclaration())
+                | bit(SemanticTokenModifiers.Modification, occurrence.role() == Role.WRITES)
+                | bit(SemanticTokenModifiers.Readonly, isConstant(referent))
+                | bit(SemanticTokenModifiers.DefaultLibrary, isOfTheTool(view, referent));
+    }
+
+    private static int bit(String modifier, boolean isSet) {
+        return isSet ? 1 << MODIFIERS.indexOf(modifier) : 0;
+    }
+
+    private static boolean isConstant(Referent referent) {
+        return switch (referent.kind()) {
+            case CONSTANT, PARAMETER, PART -> true;
+            case VARIABLE ->
+                    ((Referent.Variable) referent).symbol().kind() == VariableSymbol.Kind.COMPONENT;
+            default -> false;
+        };
+    }
+
+    private static boolean isOfTheTool(View view, Referent referent) {
+        return referent.kind() == Referent.Kind.BUILTIN
+                || referent.declaration()
+                        .filter(span -> view.models().isLibrary(span.file().path()))
+                        .isPresent();
+    }
+}
