@@ -64,12 +64,22 @@ final class Contest {
 
     /** Rounds of two groups that are warm and stand still; they do so again afterwards. */
     void hold(Group first, Group second) throws Exception {
-        for (int i = 0; i < ROUNDS; i++) {
+        for (int i = 0; i < ROUNDS && isOpen(); i++) {
             // Who begins takes turns as well.
             Turn before = turn(i % 2 == 0 ? first : second);
             Turn after = turn(i % 2 == 0 ? second : first);
             rounds.add(i % 2 == 0 ? new Round(before, after) : new Round(after, before));
         }
+    }
+
+    /** Whether more rounds may still decide whether it is judged. */
+    private boolean isOpen() {
+        long loud = rounds.size() - quiet();
+        return !isJudged() && loud <= ROUNDS - ENOUGH;
+    }
+
+    private long quiet() {
+        return rounds.stream().filter(Round::isQuiet).count();
     }
 
     private Turn turn(Group group) throws Exception {
@@ -123,7 +133,7 @@ final class Contest {
 
     /** Whether enough of it was quiet. */
     boolean isJudged() {
-        return rounds.stream().filter(Round::isQuiet).count() >= ENOUGH;
+        return quiet() >= ENOUGH;
     }
 
     @Override
@@ -139,7 +149,7 @@ final class Contest {
                 "by the clock %.2f in %d quiet rounds of %d, by processors %.2f; others took %.0f"
                         + " %%",
                 byClock(),
-                rounds.stream().filter(Round::isQuiet).count(),
+                quiet(),
                 rounds.size(),
                 byProcessors(),
                 100 * others);

@@ -93,12 +93,13 @@ public final class ToolServer implements Endpoint {
         CompletableFuture<Outcome> outcome = workshop.call(tool, arguments);
         CompletableFuture<JsonObject> result = outcome.thenApply(this::result);
         // The library cancels what it was given.
-        result.whenComplete(
-                (any, error) -> {
-                    if (result.isCancelled()) {
-                        outcome.cancel(true);
-                    }
-                });
+        var unused =
+                result.whenComplete(
+                        (any, error) -> {
+                            if (result.isCancelled()) {
+                                outcome.cancel(true);
+                            }
+                        });
         return result;
     }
 

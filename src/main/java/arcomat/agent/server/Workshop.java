@@ -41,7 +41,7 @@ public final class Workshop implements AutoCloseable {
     private final ThreadPoolExecutor executor =
             new ThreadPoolExecutor(
                     1,
-                    MOST_THREADS,
+                    1,
                     0,
                     TimeUnit.MILLISECONDS,
                     new LinkedBlockingQueue<>(),
@@ -93,7 +93,9 @@ public final class Workshop implements AutoCloseable {
     }
 
     private synchronized void leaveIt() {
-        executor.setCorePoolSize(Math.min(MOST_THREADS, executor.getCorePoolSize() + 1));
+        int threads = Math.min(MOST_THREADS, executor.getCorePoolSize() + 1);
+        executor.setMaximumPoolSize(threads);
+        executor.setCorePoolSize(threads);
     }
 
     private String tooLong(String how) {
