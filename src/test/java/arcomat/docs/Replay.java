@@ -32,6 +32,7 @@ import java.util.regex.Pattern;
  *       project's build, in which commands, options and tasks are there.
  *   <li>{@code json}, {@code lua}, {@code toml}, {@code lisp}: lines for agents and editors, which
  *       are told to start a command that is there.
+ *   <li>{@code xml}: lines for a build by Maven, which names the plugin.
  *   <li>{@code synopsis}: a command with the options that it has.
  *   <li>{@code files}: what is where in this project.
  * </ul>
@@ -106,6 +107,9 @@ final class Replay {
             // Settings of editors and agents: they are told to start a command that there is.
             case "lua", "toml", "lisp" ->
                     assertThat(fence.text()).as(where(fence)).contains("\"language-server\"");
+            // Lines for a build by Maven, as the tests of the plugin have them.
+            case "xml" ->
+                    assertThat(fence.text()).as(where(fence)).contains("arcomat-maven-plugin");
             case "json" -> {
                 new ObjectMapper().readTree(fence.text());
                 assertThat(fence.text()).as(where(fence)).contains("\"mcp\"");

@@ -1,25 +1,27 @@
 package arcomat.gradle;
 
+import arcomat.plugin.CommandResult;
+
 import org.gradle.api.GradleException;
 import org.gradle.api.logging.Logger;
 import org.gradle.api.tasks.VerificationException;
 
-import java.util.List;
-
 /**
- * What came of a command.
+ * What came of a command, and what that means to a task.
  *
- * @param status its exit status
- * @param out what it found, as text for people
- * @param err its complaints about how it was used, and how it went about its work
+ * @param result of the tool
  */
-record ToolResult(int status, String out, String err) {
-    private static final int FINE = 0;
-    private static final int WRONG_USE = 2;
-    private static final String COMPLAINT = "arcomat: ";
+record ToolResult(CommandResult result) {
+    ToolResult(int status, String out, String err) {
+        this(new CommandResult(status, out, err));
+    }
 
-    private boolean isFine() {
-        return status == FINE;
+    String out() {
+        return result.out();
+    }
+
+    String err() {
+        return result.err();
     }
 
     /**
@@ -29,11 +31,11 @@ record ToolResult(int status, String out, String err) {
      * @throws GradleException where the command could not do its work
      */
     void require(Logger log) {
-        if (isFine()) {
+        if (result.isFine()) {
             return;
         }
         tell(log);
-        throw status == WRONG_USE ? failure() : new VerificationException(summary());
+        throw result.isWrongUse() ? failure() : new VerificationException(result.failure());
     }
 
     /**
@@ -43,39 +45,29 @@ record ToolResult(int status, String out, String err) {
      * @throws GradleException where the command could not do its work
      */
     void requireOutput(Logger log) {
-        if (!isFine()) {
+        if (!result.isFine()) {
             tell(log);
             throw failure();
         }
     }
 
     private void tell(Logger log) {
-        if (!out.isEmpty()) {
-            log.error(out.stripTrailing());
+        if (!out().isEmpty()) {
+            log.error(out().stripTrailing());
         }
     }
 
     private GradleException failure() {
-        return new GradleException(status == WRONG_USE ? complaint() : summary());
+        return new GradleException(result.failure());
     }
 
     /** The last line, which says it all in short. */
     String summary() {
-        List<String> lines = out.lines().filter(line -> !line.isBlank()).toList();
-        return lines.isEmpty() ? "exit status " + status : lines.get(lines.size() - 1);
+        return result.summary();
     }
 
     /** Whether there is more to tell than the last line does. */
     boolean hasDetails() {
-        return out.lines().filter(line -> !line.isBlank()).count() > 1;
-    }
-
-    /** Why it could not do its work: how it was used, or what it could not read. */
-    private String complaint() {
-        return err.lines()
-                .filter(line -> line.startsWith(COMPLAINT))
-                .map(line -> line.substring(COMPLAINT.length()))
-                .findFirst()
-                .orElseGet(() -> out.isBlank() ? err.strip() : summary());
+        return result.hasDetails();
     }
 }

@@ -99,6 +99,17 @@ final class ConsumerProject {
         return project;
     }
 
+    /** A project as it is, which looks for what is published where Maven puts it on a machine. */
+    static ConsumerProject publishedHere(Path folder) {
+        return new ConsumerProject(folder, ConsumerProject::withLocalMaven);
+    }
+
+    private static GradleRunner withLocalMaven(GradleRunner runner) {
+        List<String> arguments = new ArrayList<>(runner.getArguments());
+        arguments.add("-Dmaven.repo.local=" + System.getProperty("repository"));
+        return withLibraries(runner.withArguments(arguments));
+    }
+
     private static GradleRunner withLibraries(GradleRunner runner) {
         List<String> arguments = new ArrayList<>(runner.getArguments());
         arguments.addAll(List.of("--gradle-user-home", System.getProperty("gradle.user.home")));

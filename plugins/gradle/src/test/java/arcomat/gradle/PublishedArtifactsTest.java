@@ -41,6 +41,7 @@ class PublishedArtifactsTest {
         "arcomat-cluster-hazelcast, arcomat hazelcast",
         "arcomat-cluster-spark, arcomat",
         "arcomat-gradle-plugin, ''",
+        "arcomat-maven-plugin, arcomat",
         "arcomat-runtime, ''",
         "arcomat.gradle.plugin, arcomat-gradle-plugin"
     })
@@ -72,6 +73,7 @@ class PublishedArtifactsTest {
         "arcomat-cluster-hazelcast, arcomat/cluster/hazelcast/HazelcastProvider",
         "arcomat-cluster-spark, arcomat/cluster/spark/SparkCampaign",
         "arcomat-gradle-plugin, arcomat/gradle/ArcomatPlugin",
+        "arcomat-maven-plugin, arcomat/maven/CheckMojo",
         "arcomat-runtime, arcomat/rt/Choice"
     })
     void classesComeWithSourcesAndDocumentation(String name, String example) throws IOException {
