@@ -24,7 +24,7 @@ import java.util.concurrent.TimeoutException;
  */
 public final class TemplateEngine {
     /** For one file: ten times what one of thousands of parts needs on a busy machine. */
-    private static final Duration LIMIT = Duration.ofSeconds(9);
+    private static final Duration LIMIT = Duration.ofSeconds(30);
 
     private final Configuration configuration;
     private final LimitedWork work;
