@@ -28,8 +28,7 @@ public record CheckAgain(List<String> paths, boolean executable, String state, S
                                 paths,
                                 CheckFiles.profile(executable),
                                 tool,
-                                session.names(),
-                                session.progress())
+                                session)
                         .run(new StateFile(state, session.names()));
         AtomicFile.write(state, StateFile.text(outcome.state()), session.names());
         return new Recheck(outcome.result(), outcome.checked());
