@@ -66,7 +66,11 @@ public final class Checks {
         Walk walk =
                 stream.collect(
                         Collector.of(
-                                () -> new Walk(workspace, profile, new Listeners(book.own(), profile)),
+                                () ->
+                                        new Walk(
+                                                workspace,
+                                                profile,
+                                                new Listeners(book.own(), profile)),
                                 (each, step) -> {
                                     goOn.run();
                                     step.accept(each);
@@ -124,7 +128,12 @@ public final class Checks {
                                 .filter(those -> those.contains(finding))
                                 .isPresent();
         Review all =
-                review(book, around, profile, unit -> sureOf.containsKey(unit.file().path()), () -> {});
+                review(
+                        book,
+                        around,
+                        profile,
+                        unit -> sureOf.containsKey(unit.file().path()),
+                        () -> {});
         return new Review(
                 all.findings().stream().filter(sure).toList(),
                 all.suppressed().stream().filter(each -> sure.test(each.finding())).toList());

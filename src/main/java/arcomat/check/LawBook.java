@@ -70,7 +70,12 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
         return guests.stream()
                 .filter(guest -> guest.laws().stream().anyMatch(law -> law.code().equals(code)))
                 .findFirst()
-                .flatMap(guest -> guest.pages().apply(code));
+                .map(guest -> guest.pages().apply(code).orElseGet(() -> noPage(guest, code)));
+    }
+
+    private static String noPage(GuestLaws guest, String code) {
+        return "# %s A law of guest '%s'\n\nThe guest has no page about it.\n"
+                .formatted(code, guest.guest());
     }
 
     /** Tells these laws from those of a run with other guests; empty without any. */

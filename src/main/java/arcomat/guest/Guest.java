@@ -6,8 +6,8 @@ import java.util.List;
 
 /**
  * What somebody outside adds to the tool. It is found as a service: a line with the name of the
- * class in {@code META-INF/services/arcomat.guest.Guest}. A page about each code, in Markdown,
- * lies in {@code explain/CODE.md} of the same jar.
+ * class in {@code META-INF/services/arcomat.guest.Guest}. A page about each code, in Markdown, lies
+ * in {@code explain/CODE.md} of the same jar.
  *
  * <p>A guest is asked once, when it arrives. It is not to keep anything between two checks: they
  * may run side by side.

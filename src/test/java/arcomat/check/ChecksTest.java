@@ -65,7 +65,8 @@ class ChecksTest {
         DataFile data = DataFile.read(path);
         Workspace workspace = Checking.workspace(data.files());
         for (Unit unit : workspace.units()) {
-            Review review = Checks.review(LawBook.OWN, workspace, data.profile(), unit::equals, () -> {});
+            Review review =
+                    Checks.review(LawBook.OWN, workspace, data.profile(), unit::equals, () -> {});
             assertThat(review.findings())
                     .filteredOn(finding -> !ABOUT_ALL_FILES.contains(finding.code()))
                     .allMatch(finding -> finding.span().file() == unit.file());

@@ -117,7 +117,10 @@ class TranscriptTest {
         int status =
                 ToolProvider.findFirst("javac")
                         .orElseThrow()
-                        .run(new PrintWriter(out), new PrintWriter(out), all.toArray(String[]::new));
+                        .run(
+                                new PrintWriter(out),
+                                new PrintWriter(out),
+                                all.toArray(String[]::new));
         assertThat(status).as(out.toString()).isZero();
         return List.of();
     }

@@ -135,7 +135,8 @@ class ErrorIndexTest {
     }
 
     private static String severity(String code) {
-        Optional<Law> law = LawBook.OWN.own().stream().filter(l -> l.code().equals(code)).findFirst();
+        Optional<Law> law =
+                LawBook.OWN.own().stream().filter(l -> l.code().equals(code)).findFirst();
         return law.map(ErrorIndexTest::severity)
                 .orElseGet(
                         () ->

@@ -29,7 +29,11 @@ record Terminal(Path directory) {
     Outcome run(String command) {
         List<String> words =
                 Arrays.stream(command.split(" +"))
-                        .map(word -> word.replaceAll("^'(.*)'$", "$1").replace(runtime(), rt()).replace(tool(), classes()))
+                        .map(
+                                word ->
+                                        word.replaceAll("^'(.*)'$", "$1")
+                                                .replace(runtime(), rt())
+                                                .replace(tool(), classes()))
                         .toList();
         try {
             return switch (words.get(0)) {

@@ -78,7 +78,13 @@ class TimeIsUpTest {
     void checkingAndLowering() {
         Workspace workspace = check(Progress.NONE).workspace();
         assertThatThrownBy(
-                        () -> Checks.review(LawBook.OWN, workspace, Profile.REQUIREMENTS, unit -> true, NEVER))
+                        () ->
+                                Checks.review(
+                                        LawBook.OWN,
+                                        workspace,
+                                        Profile.REQUIREMENTS,
+                                        unit -> true,
+                                        NEVER))
                 .isInstanceOf(TimeIsUp.class);
         assertThatThrownBy(() -> Lowering.lower(workspace, NEVER)).isInstanceOf(TimeIsUp.class);
     }

@@ -30,7 +30,8 @@ final class ExplainTool implements Tool {
     @Override
     public ToolAnswer answer(ToolCall call) throws WrongUse {
         Optional<String> code = call.arguments().text(CODE);
-        return new ToolAnswer(code.isPresent() ? page(code.get(), call.session()) : titles(call.session()));
+        return new ToolAnswer(
+                code.isPresent() ? page(code.get(), call.session()) : titles(call.session()));
     }
 
     private static String page(String code, Session session) throws WrongUse {

@@ -49,11 +49,7 @@ final class GuardedCheck implements InvocationHandler {
                 Proxy.newProxyInstance(
                         Check.class.getClassLoader(), kinds, new GuardedCheck(law, failures));
         return new Law(
-                law.code(),
-                law.inRequirements(),
-                law.inExecutable(),
-                law.needs(),
-                (Check) guarded);
+                law.code(), law.inRequirements(), law.inExecutable(), law.needs(), (Check) guarded);
     }
 
     @Override

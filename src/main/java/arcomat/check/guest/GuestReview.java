@@ -56,8 +56,7 @@ public record GuestReview(GuestLaws guest, Duration limit) {
         if (workspace.units().isEmpty()) {
             return new Outcome(List.of(), true);
         }
-        FutureTask<Outcome> work =
-                new FutureTask<>(() -> walk(workspace, profile, wanted, goOn));
+        FutureTask<Outcome> work = new FutureTask<>(() -> walk(workspace, profile, wanted, goOn));
         Thread thread = new Thread(null, work, "guest " + guest.guest(), STACK_BYTES);
         thread.setDaemon(true);
         thread.start();
@@ -80,7 +79,10 @@ public record GuestReview(GuestLaws guest, Duration limit) {
         List<Diagnostic> failures = new ArrayList<>();
         List<Law> guarded =
                 guest.laws().stream()
-                        .map(law -> GuardedCheck.around(law, (l, at, e) -> failures.add(failed(l, at, e))))
+                        .map(
+                                law ->
+                                        GuardedCheck.around(
+                                                law, (l, at, e) -> failures.add(failed(l, at, e))))
                         .toList();
         Walk walk = new Walk(workspace, profile, new Listeners(guarded, profile));
         for (Consumer<Walk> step : Walk.steps(workspace, wanted)) {
@@ -145,8 +147,6 @@ public record GuestReview(GuestLaws guest, Duration limit) {
         if (thrown instanceof Error error) {
             throw error;
         }
-        return thrown instanceof RuntimeException known
-                ? known
-                : new IllegalStateException(thrown);
+        return thrown instanceof RuntimeException known ? known : new IllegalStateException(thrown);
     }
 }

@@ -23,7 +23,8 @@ public record MachineFormats(SourceRoot root, Session session) {
      * @param compared whether findings were compared with a baseline
      */
     public String sarif(List<Reported> results, boolean compared) {
-        Sarif.Tool tool = new Sarif.Tool(Version.number(), code -> Explanations.page(code, session));
+        Sarif.Tool tool =
+                new Sarif.Tool(Version.number(), code -> Explanations.page(code, session));
         return Sarif.render(results, compared, tool, root);
     }
 

@@ -149,11 +149,7 @@ public record CheckedModels(
     private static Review review(
             LoadedModels loaded, Workspace workspace, Profile profile, Session session) {
         return Checks.review(
-                        session.laws(),
-                        workspace,
-                        profile,
-                        unit -> true,
-                        session.progress()::goOn)
+                        session.laws(), workspace, profile, unit -> true, session.progress()::goOn)
                 .and(
                         Checks.reviewRecovered(
                                 session.laws(),

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.jar.JarFile;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -45,8 +46,7 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
         }
         try {
             URLClassLoader loader =
-                    new URLClassLoader(
-                            new URL[] {url(place)}, Guest.class.getClassLoader());
+                    new URLClassLoader(new URL[] {url(place)}, Guest.class.getClassLoader());
             return new GuestJar(path, loader, content(place));
         } catch (IOException e) {
             throw new WrongUse(
@@ -60,6 +60,9 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
 
     /** A digest of all bytes: a guest that was compiled anew may find something else. */
     private static String content(Path place) throws IOException {
+        if (Files.isRegularFile(place)) {
+            new JarFile(place.toFile()).close(); // a class loader would find nothing in a torn one
+        }
         List<Path> files;
         try (Stream<Path> all = Files.walk(place)) {
             files = all.filter(Files::isRegularFile).sorted().toList();
@@ -68,7 +71,9 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
         for (Path file : files) {
             digests.append(place.relativize(file))
                     .append(' ')
-                    .append(HexFormat.of().formatHex(Sha256.begin().digest(Files.readAllBytes(file))))
+                    .append(
+                            HexFormat.of()
+                                    .formatHex(Sha256.begin().digest(Files.readAllBytes(file))))
                     .append('\n');
         }
         return Sha256.hex(digests.toString());
@@ -87,11 +92,10 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     guests.add(laws(guest));
                 }
             }
-        } catch (ServiceConfigurationError | LinkageError | RuntimeException e) {
-            throw new WrongUse(
-                    "the guest '%s' cannot be asked what it brings: %s; tell who wrote it, or leave"
-                            + " it out",
-                    path, e);
+        } catch (ServiceConfigurationError e) {
+            throw ill(String.valueOf(e.getMessage()));
+        } catch (LinkageError | RuntimeException e) {
+            throw ill(e.toString());
         }
         if (guests.isEmpty()) {
             throw new WrongUse(
@@ -100,6 +104,13 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     path, Guest.class.getName());
         }
         return guests;
+    }
+
+    private WrongUse ill(String reason) {
+        return new WrongUse(
+                "the guest '%s' cannot be asked what it brings: %s; tell who wrote it, or leave it"
+                        + " out",
+                path, reason);
     }
 
     private GuestLaws laws(Guest guest) throws WrongUse {

@@ -44,8 +44,8 @@ public record WelcomeGuests(List<String> paths) implements Task<LawBook> {
                 String other = owners.put(law.code(), guest.guest());
                 if (other != null) {
                     throw new WrongUse(
-                            "the code %s is that of two laws, of guest '%s' and of guest '%s'; leave"
-                                    + " one of them out",
+                            "the code %s is that of two laws, of guest '%s' and of guest '%s';"
+                                + " leave one of them out",
                             law.code(), other, guest.guest());
                 }
             }

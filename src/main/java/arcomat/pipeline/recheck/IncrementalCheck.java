@@ -34,8 +34,7 @@ import java.util.function.BiFunction;
  *
  * @param tool whatever tells this tool from others that may find something else
  */
-public record IncrementalCheck(
-        List<String> paths, Profile profile, String tool, Session session) {
+public record IncrementalCheck(List<String> paths, Profile profile, String tool, Session session) {
 
     /**
      * @param state for the next check

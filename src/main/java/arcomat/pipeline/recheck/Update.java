@@ -174,7 +174,8 @@ final class Update {
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 session.progress()::goOn)
-                        .and(Checks.reviewRecovered(
+                        .and(
+                                Checks.reviewRecovered(
                                         session.laws(),
                                         recovered,
                                         units,

@@ -71,8 +71,7 @@ final class Rounds {
         }
         memory.forget(changed);
         IncrementalCheck.Outcome outcome =
-                new IncrementalCheck(paths, Profile.REQUIREMENTS, tool, session)
-                        .run(memory);
+                new IncrementalCheck(paths, Profile.REQUIREMENTS, tool, session).run(memory);
         board.checked(
                 outcome.result(), outcome.checked(), outcome.state(), System.nanoTime() - begun);
         Dependencies files = Dependencies.of(outcome.state());
@@ -122,6 +121,7 @@ final class Rounds {
     }
 
     private String shown(Path file) {
-        return session.names().shown(file, paths.stream().anyMatch(each -> Path.of(each).isAbsolute()));
+        return session.names()
+                .shown(file, paths.stream().anyMatch(each -> Path.of(each).isAbsolute()));
     }
 }

@@ -83,8 +83,7 @@ public final class CheckCommand extends Command {
     protected int run(Session session) throws WrongUse {
         CheckResult result = check(session);
         CheckReport report = baselines.apply(result, session);
-        Rendering rendering =
-                new CheckRendering("check", report, strict, machineFormats());
+        Rendering rendering = new CheckRendering("check", report, strict, machineFormats());
         reports.write(rendering, session, console());
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;

@@ -31,8 +31,7 @@ public final class ExplainCommand extends Command {
     @Override
     protected int run(Session session) throws WrongUse {
         if (code == null) {
-            Explanations.titles(session)
-                    .forEach((name, title) -> printLine(name + "  " + title));
+            Explanations.titles(session).forEach((name, title) -> printLine(name + "  " + title));
             return ExitStatus.FINE;
         }
         String page =

@@ -59,7 +59,8 @@ public final class TestCommand extends Command {
         CheckResult check = reply.check();
         tellAside(check);
         if (reply.value().isEmpty()) {
-            reports.write(CheckRendering.refused("test", check, machineFormats()), session, console());
+            reports.write(
+                    CheckRendering.refused("test", check, machineFormats()), session, console());
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
         List<StreamTestResult> tests = reply.value().get();
