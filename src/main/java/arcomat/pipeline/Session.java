@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.check.LawBook;
+import arcomat.guest.host.Guests;
 
 import java.nio.file.Path;
 
@@ -10,12 +11,12 @@ import java.nio.file.Path;
  *
  * @param names the paths of files, as the user writes them
  * @param progress told of what is being done
- * @param laws that models are checked by
+ * @param guests whose laws and languages are there besides the tool's
  */
-public record Session(PathNames names, Progress progress, LawBook laws) {
+public record Session(PathNames names, Progress progress, Guests guests) {
     /** Without guests. */
     public Session(PathNames names, Progress progress) {
-        this(names, progress, LawBook.OWN);
+        this(names, progress, Guests.NONE);
     }
 
     /**
@@ -27,12 +28,17 @@ public record Session(PathNames names, Progress progress, LawBook laws) {
 
     /** The same, told of to somebody else. */
     public Session with(Progress other) {
-        return new Session(names, other, laws);
+        return new Session(names, other, guests);
     }
 
-    /** The same, with these laws. */
-    public Session with(LawBook other) {
-        return new Session(names, progress, other);
+    /** The same, with these guests. */
+    public Session with(Guests others) {
+        return new Session(names, progress, others);
+    }
+
+    /** Those that models are checked by. */
+    public LawBook laws() {
+        return guests.laws();
     }
 
     /**
