@@ -96,7 +96,8 @@ final class DocumentRequests extends NameRequests {
         return worker.askChecked(
                 file,
                 (desk, canceled) ->
-                        file.flatMap(desk::view)
+                        file
+                                .flatMap(desk::view)
                                 .map(view -> Fixes.at(view, params.getRange(), kinds))
                                 .orElse(List.of())
                                 .stream()

@@ -77,7 +77,10 @@ public final class VerdictLenses {
     private List<Command> current(TextVerdict verdict) {
         VerdictPlace place = verdict.place();
         Command said =
-                command(verdict.text() + (verdict.tone() == Tone.GOOD ? "" : ": show"), SHOW, place);
+                command(
+                        verdict.text() + (verdict.tone() == Tone.GOOD ? "" : ": show"),
+                        SHOW,
+                        place);
         return place.kind() == VerdictPlace.Kind.TEST
                 ? List.of(said, command("run", RUN, place), command("debug", SHOW, place))
                 : List.of(said);

@@ -108,8 +108,7 @@ public final class Dependencies {
         index.computeIfPresent(
                 key,
                 (any, before) -> {
-                    List<String> left =
-                            before.stream().filter(each -> !each.equals(path)).toList();
+                    List<String> left = before.stream().filter(each -> !each.equals(path)).toList();
                     return left.isEmpty() ? null : left;
                 });
     }

@@ -242,7 +242,9 @@ public final class OpenModels {
         return file == null ? List.of() : file.findings();
     }
 
-    /** Files of which {@link #findings} may not be about these texts, as the last check has seen. */
+    /**
+     * Files of which {@link #findings} may not be about these texts, as the last check has seen.
+     */
     public Set<String> due() {
         return Collections.unmodifiableSet(checked.due());
     }

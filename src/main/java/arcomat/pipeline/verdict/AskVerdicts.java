@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Asks all that can be asked about one file, with the questions of {@code verify}, {@code
- * analyze}, {@code test} and {@code generate}.
+ * Asks all that can be asked about one file, with the questions of {@code verify}, {@code analyze},
+ * {@code test} and {@code generate}.
  *
  * @param path the file
  * @param interruption ends the work, also in the middle of a search

@@ -67,8 +67,7 @@ record ProgramVerdicts(LoweredModels models, Session session) {
 
     private static TextVerdict refused(VerdictPlace place, List<Diagnostic> findings) {
         List<Diagnostic> errors = findings.stream().filter(Diagnostic::isError).toList();
-        return refused(
-                place, errors.get(0).message(), FindingsText.render(errors, Style.PLAIN));
+        return refused(place, errors.get(0).message(), FindingsText.render(errors, Style.PLAIN));
     }
 
     private static TextVerdict refused(VerdictPlace place, String reason, String all) {

@@ -42,8 +42,7 @@ public final class VerdictPlaces {
     private static List<VerdictPlace> in(Component component, String around) {
         String name = around + component.name().text();
         List<VerdictPlace> places = new ArrayList<>();
-        if (component.isDeploy()
-                || Stereotype.find(component.stereotypes(), DEPLOY).isPresent()) {
+        if (component.isDeploy() || Stereotype.find(component.stereotypes(), DEPLOY).isPresent()) {
             places.add(
                     new VerdictPlace(
                             Kind.PROGRAM, name, component.name().span(), component.span()));

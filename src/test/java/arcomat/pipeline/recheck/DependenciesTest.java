@@ -56,9 +56,7 @@ class DependenciesTest {
                     .append(" needs ")
                     .append(new TreeSet<>(dependencies.neededBy(path)))
                     .append(", touches ")
-                    .append(
-                            new TreeSet<>(
-                                    dependencies.affectedBy(List.of(FileInterface.of(file)))))
+                    .append(new TreeSet<>(dependencies.affectedBy(List.of(FileInterface.of(file)))))
                     .append(", goes with ")
                     .append(new TreeSet<>(dependencies.connectedWith(path)))
                     .append(dependencies.isMentioned(path, file.mentions()))
