@@ -81,8 +81,7 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
     private static boolean isInherited(Answered answered, Span component) {
         return answered.question() == Question.REFINEMENT
                 && !answered.sides().isEmpty()
-                && answered.sides().stream()
-                        .allMatch(each -> each.component().span().equals(component))
+                && answered.sides().get(0).component().span().equals(component)
                 && !isInside(answered.place(), component);
     }
 

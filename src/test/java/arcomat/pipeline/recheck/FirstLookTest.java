@@ -72,7 +72,8 @@ class FirstLookTest {
                 file.path(), text.substring(0, word.start()) + other + text.substring(word.end()));
     }
 
+    /** What is guessed to be meant may be another name, once all names are known. */
     private static String text(Diagnostic finding) {
-        return finding.span() + " " + finding.code() + " " + finding.message();
+        return finding.span() + "-" + finding.span().end() + " " + finding.code();
     }
 }
