@@ -22,16 +22,11 @@ public final class CoverageText {
         StringBuilder text = new StringBuilder();
         if (coverage.runs() > 0) {
             text.append(amount()).append('\n');
-        }
-        if (coverage.runs() > 0) {
-            list(
-                    "no run: ",
-                    MissingItem.of(coverage).stream().map(CoverageText::shown).toList(),
-                    text);
-        }
-        if (coverage.runs() > 0 && coverage.isShared()) {
-            text.append(amountByPart()).append('\n');
-            list("not in ", missingByPart(), text);
+            list(missing(), "no run: ", "no run: %,d more, see --report\n", text);
+            if (coverage.isShared()) {
+                text.append(amountByPart()).append('\n');
+                list(missingByPart(), "not in ", "not in %,d more parts: see --report\n", text);
+            }
         }
         coverage.jars().forEach(each -> text.append(unknown(each)).append('\n'));
         return text.toString();
@@ -61,21 +56,28 @@ public final class CoverageText {
                         parts.stream().mapToInt(each -> each.states().size()).sum());
     }
 
-    private static void list(String head, List<String> missing, StringBuilder text) {
+    private static void list(List<String> missing, String head, String rest, StringBuilder text) {
         missing.stream().limit(MOST).forEach(each -> text.append(head).append(each).append('\n'));
         if (missing.size() > MOST) {
-            int rest = missing.size() - MOST;
-            text.append("%s%,d more, see --report\n".formatted(head, rest));
+            text.append(rest.formatted(missing.size() - MOST));
         }
     }
 
-    /** What another part of the same component has covered. */
+    private List<String> missing() {
+        return MissingItem.of(coverage).stream().map(CoverageText::shown).toList();
+    }
+
+    /** What another part of the same component has covered: a line for each part. */
     private List<String> missingByPart() {
         List<String> missing = new ArrayList<>();
         for (Coverage.OfAutomaton all : coverage.automata()) {
             for (Coverage.OfPart part : all.parts()) {
-                String name = Printable.escape(part.part().name());
-                MissingItem.of(part, all).forEach(each -> missing.add(name + ": " + shown(each)));
+                List<MissingItem> own = MissingItem.of(part, all);
+                if (!own.isEmpty()) {
+                    String name = Printable.escape(part.part().name());
+                    String rest = own.size() > 1 ? " and %,d more".formatted(own.size() - 1) : "";
+                    missing.add(name + ": " + shown(own.get(0)) + rest);
+                }
             }
         }
         return missing;
