@@ -41,7 +41,7 @@ public record CheckedModels(
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
         Workspace workspace = workspace(loaded, session.progress());
-        Review review = review(loaded, workspace, profile, session.progress());
+        Review review = review(loaded, workspace, profile, session);
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -67,7 +67,7 @@ public record CheckedModels(
             Asked asked,
             Function<Workspace, Collection<ComponentSymbol>> executable,
             Session session) {
-        CheckedModels all = checkToRun(loaded, executable, session.progress());
+        CheckedModels all = checkWhole(loaded, executable, session);
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
@@ -107,16 +107,16 @@ public record CheckedModels(
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
-        CheckedModels all = checkToRun(loaded, models -> List.of(), session.progress());
+        CheckedModels all = checkWhole(loaded, models -> List.of(), session);
         return all.withoutBroken().orElse(all);
     }
 
-    private static CheckedModels checkToRun(
+    private static CheckedModels checkWhole(
             LoadedModels loaded,
             Function<Workspace, Collection<ComponentSymbol>> executable,
-            Progress progress) {
-        Workspace workspace = workspace(loaded, progress);
-        Review review = review(loaded, workspace, Profile.REQUIREMENTS, progress);
+            Session session) {
+        Workspace workspace = workspace(loaded, session.progress());
+        Review review = review(loaded, workspace, Profile.REQUIREMENTS, session);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
@@ -128,7 +128,12 @@ public record CheckedModels(
         MadeOf code = MadeOf.those(executable.apply(workspace));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
-            Checks.review(workspace, Profile.EXECUTABLE, unit -> true, progress::goOn)
+            Checks.review(
+                            session.laws(),
+                            workspace,
+                            Profile.EXECUTABLE,
+                            unit -> true,
+                            session.progress()::goOn)
                     .findings()
                     .stream()
                     .filter(code::contains)
@@ -143,10 +148,12 @@ public record CheckedModels(
     }
 
     private static Review review(
-            LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
-        return Checks.review(workspace, profile, unit -> true, progress::goOn)
+            LoadedModels loaded, Workspace workspace, Profile profile, Session session) {
+        return Checks.review(
+                        session.laws(), workspace, profile, unit -> true, session.progress()::goOn)
                 .and(
                         Checks.reviewRecovered(
+                                session.laws(),
                                 loaded.recovered(),
                                 loaded.units(),
                                 loaded.broken(),

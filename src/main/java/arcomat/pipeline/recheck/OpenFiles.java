@@ -1,6 +1,7 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
+import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.pipeline.PathNames;
@@ -193,9 +194,11 @@ final class OpenFiles {
      */
     Review review(Set<String> wanted, Profile profile, Runnable goOn) {
         return Checks.review(
+                        LawBook.OWN,
                         whole.get(), profile, unit -> wanted.contains(unit.file().path()), goOn)
                 .and(
                         Checks.reviewRecovered(
+                                LawBook.OWN,
                                 recovered(wanted), units(), broken(), List.of(), profile));
     }
 

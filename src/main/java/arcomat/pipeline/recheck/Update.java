@@ -3,8 +3,7 @@ package arcomat.pipeline.recheck;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
-import arcomat.pipeline.PathNames;
-import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
@@ -32,8 +31,7 @@ import java.util.TreeSet;
 
 /** From the state of the files at the last check to that of the files now. */
 final class Update {
-    private final PathNames names;
-    private final Progress progress;
+    private final Session session;
     private final CheckMemory memory;
     private final NamedFiles named;
     private final StateOfFiles states;
@@ -51,25 +49,22 @@ final class Update {
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
+            Session session,
+            CheckMemory memory) {
         before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
         this.states = states;
-        this.names = names;
+        this.session = session;
         this.memory = memory;
-        this.progress = progress;
     }
 
     static Update of(
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
-        Update update = new Update(before, named, states, names, memory, progress);
+            Session session,
+            CheckMemory memory) {
+        Update update = new Update(before, named, states, session, memory);
         update.compare();
         return update;
     }
@@ -93,7 +88,7 @@ final class Update {
             return file;
         }
         Optional<SourceFile> source =
-                FileReader.read(names.resolve(file.path()), file.path()).file();
+                FileReader.read(session.names().resolve(file.path()), file.path()).file();
         source.ifPresent(read -> others.put(file.path(), read));
         return now(file.path(), source, false);
     }
@@ -125,7 +120,7 @@ final class Update {
     private boolean isAmbiguous(File file) {
         return !file.named()
                 && Library.isShown(file.path())
-                && Files.exists(names.resolve(file.path()));
+                && Files.exists(session.names().resolve(file.path()));
     }
 
     private boolean changesSurroundings(@Nullable File old, @Nullable File fresh) {
@@ -170,15 +165,23 @@ final class Update {
                 outlines.add(file.names().get());
             }
         }
-        progress.step("checking", affected.size(), "model");
+        session.progress().step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
                 Checks.review(
+                                session.laws(),
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
-                                progress::goOn)
-                        .and(Checks.reviewRecovered(recovered, units, broken, outlines, profile)));
+                                session.progress()::goOn)
+                        .and(
+                                Checks.reviewRecovered(
+                                        session.laws(),
+                                        recovered,
+                                        units,
+                                        broken,
+                                        outlines,
+                                        profile)));
     }
 
     private void parse(Set<String> needed) {
@@ -189,7 +192,7 @@ final class Update {
                 missing.add(source(file));
             }
         }
-        List<Parsed> results = memory.parsed(missing, progress);
+        List<Parsed> results = memory.parsed(missing, session.progress());
         for (int i = 0; i < missing.size(); i++) {
             parsed.put(missing.get(i).path(), results.get(i));
         }

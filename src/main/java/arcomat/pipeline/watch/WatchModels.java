@@ -48,7 +48,7 @@ public record WatchModels(
         WatchedFiles watched = WatchedFiles.of(paths, session.names());
         AnalysisLimits limits = new AnalysisLimits(Optional.of(seconds), Optional.empty());
         Blackboard board = new Blackboard(listener);
-        Rounds rounds = new Rounds(paths, session.names(), tool, limits, watched, board);
+        Rounds rounds = new Rounds(paths, session, tool, limits, watched, board);
         try {
             if (once) {
                 rounds.first();
