@@ -195,11 +195,18 @@ final class OpenFiles {
     Review review(Set<String> wanted, Profile profile, Runnable goOn) {
         return Checks.review(
                         LawBook.OWN,
-                        whole.get(), profile, unit -> wanted.contains(unit.file().path()), goOn)
+                        whole.get(),
+                        profile,
+                        unit -> wanted.contains(unit.file().path()),
+                        goOn)
                 .and(
                         Checks.reviewRecovered(
                                 LawBook.OWN,
-                                recovered(wanted), units(), broken(), List.of(), profile));
+                                recovered(wanted),
+                                units(),
+                                broken(),
+                                List.of(),
+                                profile));
     }
 
     /** What names mean to a check, which looks at files with syntax errors by themselves. */
