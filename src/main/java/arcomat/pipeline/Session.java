@@ -36,6 +36,11 @@ public record Session(PathNames names, Progress progress, Guests guests) {
         return new Session(names, progress, others);
     }
 
+    /** Whether there is somebody besides the tool. */
+    public boolean hasGuests() {
+        return !guests.laws().guests().isEmpty();
+    }
+
     /** Those that models are checked by. */
     public LawBook laws() {
         return guests.laws();
