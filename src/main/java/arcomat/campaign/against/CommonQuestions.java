@@ -3,9 +3,9 @@ package arcomat.campaign.against;
 import arcomat.campaign.Campaign;
 import arcomat.campaign.Column;
 import arcomat.campaign.JointWatch;
+import arcomat.campaign.Trial;
 import arcomat.campaign.Variation;
 import arcomat.campaign.Variation.Domain;
-import arcomat.campaign.Trial;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -190,8 +190,7 @@ public final class TableComparison {
 
     private TableDifference.OfMeasure difference(OfMeasure measure) {
         double error = Confidence.USUAL.error() / measures.size();
-        boolean differs =
-                concludes() && isPaired() && measure.seeds.test().difference() <= error;
+        boolean differs = concludes() && isPaired() && measure.seeds.test().difference() <= error;
         return new TableDifference.OfMeasure(
                 spread(measure.column, before.result()),
                 spread(measure.column, now.result()),

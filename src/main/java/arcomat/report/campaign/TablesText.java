@@ -44,15 +44,11 @@ public final class TablesText {
         return Printable.escape(
                 "against %s: %,d runs, table %s; %,d are runs of both"
                         .formatted(
-                                before.name(),
-                                before.runs(),
-                                before.hash(),
-                                difference.pairs()));
+                                before.name(), before.runs(), before.hash(), difference.pairs()));
     }
 
     private String events() {
-        TextTable table =
-                new TextTable(List.of("event", "before", "now", "better in", "worse in"));
+        TextTable table = new TextTable(List.of("event", "before", "now", "better in", "worse in"));
         for (TableDifference.OfEvent each : difference.events()) {
             table.add(
                     List.of(
@@ -91,5 +87,4 @@ public final class TablesText {
         String word = isBetter ? style.good("better: ") : style.error("worse: ");
         return word + Printable.escape(event.now().column().name());
     }
-
 }

@@ -19,7 +19,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleBiFunction;
 import java.util.stream.LongStream;
-import java.util.stream.Stream;
 
 /** Tables whose rows nobody has run, so that what differs is known. */
 class TableComparisonTest {
@@ -29,8 +28,7 @@ class TableComparisonTest {
 
     /** Something that happens on the seeds that a number divides. */
     private static ToDoubleBiFunction<Trial, Column> every(int number, String name) {
-        return (trial, column) ->
-                column.name().equals(name) && trial.seed() % number == 0 ? 1 : 0;
+        return (trial, column) -> column.name().equals(name) && trial.seed() % number == 0 ? 1 : 0;
     }
 
     private static FinishedTable table(String text, ToDoubleBiFunction<Trial, Column> answer) {
@@ -78,8 +76,7 @@ class TableComparisonTest {
     @Test
     void runsOfBothArePaired() {
         FinishedTable before = table(TEXT, every(10, "collision"));
-        TableDifference difference =
-                TableComparison.of(before, table(TEXT, every(5, "collision")));
+        TableDifference difference = TableComparison.of(before, table(TEXT, every(5, "collision")));
         assertThat(difference.pairs()).isEqualTo(100);
         TableDifference.OfEvent collision = event(difference, "collision");
         assertThat(collision.changes().worse()).isEqualTo(10);
@@ -230,8 +227,7 @@ class TableComparisonTest {
             TableDifference difference =
                     TableComparison.of(table(TEXT, answer), table(TEXT, answer));
             alarms +=
-                    difference.events().stream()
-                                    .anyMatch(each -> each.decision() == Decision.FAILS)
+                    difference.events().stream().anyMatch(each -> each.decision() == Decision.FAILS)
                             ? 1
                             : 0;
         }

@@ -168,14 +168,18 @@ final class SampleCampaigns {
 
     /** A hasty driver beside a careful one on the same seeds, and beside itself on others. */
     static CampaignReport against(String file) {
-        String text = "world w\nvary driver of yard.Hasty\nvary light from 0 to 4\nsample random 500\n";
+        String text =
+                "world w\nvary driver of yard.Hasty\nvary light from 0 to 4\nsample random 500\n";
         FinishedTable now = table("build/new", text);
         return report(file, text)
                 .against(
                         Stream.of(
                                         table("build/careful", text.replace("Hasty", "Careful")),
                                         table("build/others", text + "seeds from 1001\n"))
-                                .map(old -> new TablesReport(old, now, TableComparison.of(old, now)))
+                                .map(
+                                        old ->
+                                                new TablesReport(
+                                                        old, now, TableComparison.of(old, now)))
                                 .toList());
     }
 

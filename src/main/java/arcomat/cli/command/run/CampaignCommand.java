@@ -186,7 +186,8 @@ public final class CampaignCommand extends Command {
                                     print(
                                             new RareText(each, ready.replay(), console().style())
                                                     .render()));
-            shown.against().forEach(each -> print(new TablesText(each, console().style()).render()));
+            shown.against()
+                    .forEach(each -> print(new TablesText(each, console().style()).render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));
