@@ -183,9 +183,10 @@ public final class TableComparison {
                 .orElseThrow();
     }
 
-    /** There is none where no run was made. */
+    /** There is none where no run has a number. */
     private static boolean hasSpread(OfMeasure measure, CampaignResult result) {
-        return result.spreads().stream().anyMatch(each -> each.column().equals(measure.column));
+        return result.spreads().stream()
+                .anyMatch(each -> each.column().equals(measure.column) && each.known() > 0);
     }
 
     private TableDifference.OfMeasure difference(OfMeasure measure) {
