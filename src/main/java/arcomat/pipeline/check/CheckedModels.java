@@ -61,7 +61,8 @@ public record CheckedModels(
         return checkToRun(ModelLoader.load(paths, session), asked, executable, session);
     }
 
-    private static CheckedModels checkToRun(
+    /** As above, of models that somebody else has read. */
+    public static CheckedModels checkToRun(
             LoadedModels loaded,
             Asked asked,
             Function<Workspace, Collection<ComponentSymbol>> executable,
