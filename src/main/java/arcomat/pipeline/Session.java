@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Everything that the tool does goes through here, for whoever asks: the command line, a build, a
@@ -8,13 +9,35 @@ import java.nio.file.Path;
  *
  * @param names the paths of files, as the user writes them
  * @param progress told of what is being done
+ * @param libraries model roots, as the user wrote them, that models may refer to and that somebody
+ *     else is responsible for: nothing is asked about their models, nothing is made of them that
+ *     their own project makes
  */
-public record Session(PathNames names, Progress progress) {
+public record Session(PathNames names, Progress progress, List<String> libraries) {
+    public Session {
+        libraries = List.copyOf(libraries);
+    }
+
+    /** Models that stand alone. */
+    public Session(PathNames names, Progress progress) {
+        this(names, progress, List.of());
+    }
+
     /**
      * @param directory the folder that relative paths start from
      */
     public static Session in(Path directory, Progress progress) {
         return new Session(new PathNames(directory.toAbsolutePath().normalize()), progress);
+    }
+
+    /** The same, where models may refer to those of other projects. */
+    public Session with(List<String> modelRoots) {
+        return new Session(names, progress, modelRoots);
+    }
+
+    /** The same with somebody else who is told what is being done. */
+    public Session with(Progress listener) {
+        return new Session(names, listener, libraries);
     }
 
     /**

@@ -15,6 +15,7 @@ import arcomat.report.text.Printable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.ToIntFunction;
 
@@ -39,11 +40,20 @@ public abstract class Command implements Callable<Integer> {
     @Override
     public final Integer call() throws WrongUse {
         if (!progress && !console().watched()) {
-            return run(Session.in(console().directory(), limited(Progress.NONE)));
+            return run(session(limited(Progress.NONE)));
         }
         try (ProgressLines lines = new ProgressLines(console().err())) {
-            return run(Session.in(console().directory(), limited(lines)));
+            return run(session(limited(lines)));
         }
+    }
+
+    private Session session(Progress told) {
+        return Session.in(console().directory(), told).with(libraries());
+    }
+
+    /** Model roots of others that the models may refer to. */
+    protected List<String> libraries() {
+        return List.of();
     }
 
     /** Work that ends when it has to. */

@@ -12,13 +12,14 @@ import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Unit;
 
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
@@ -56,7 +57,7 @@ public record CheckedModels(
     public static CheckedModels checkToRun(
             List<String> paths,
             Asked asked,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         return checkToRun(ModelLoader.load(paths, session), asked, executable, session);
     }
@@ -64,7 +65,7 @@ public record CheckedModels(
     private static CheckedModels checkToRun(
             LoadedModels loaded,
             Asked asked,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         CheckedModels all = checkToRun(loaded, executable, session.progress());
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
@@ -72,12 +73,12 @@ public record CheckedModels(
 
     /** As above, for questions about models: no code is made of them. */
     public static CheckedModels checkToExamine(List<String> paths, Asked asked, Session session) {
-        return checkToRun(paths, asked, models -> List.of(), session);
+        return checkToRun(paths, asked, (models, files) -> List.of(), session);
     }
 
     /** As above, of models that somebody else has read. */
     static CheckedModels checkToExamine(LoadedModels loaded, Asked asked, Session session) {
-        return checkToRun(loaded, asked, models -> List.of(), session);
+        return checkToRun(loaded, asked, (models, files) -> List.of(), session);
     }
 
     /**
@@ -106,13 +107,13 @@ public record CheckedModels(
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
-        CheckedModels all = checkToRun(loaded, models -> List.of(), session.progress());
+        CheckedModels all = checkToRun(loaded, (models, files) -> List.of(), session.progress());
         return all.withoutBroken().orElse(all);
     }
 
     private static CheckedModels checkToRun(
             LoadedModels loaded,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Progress progress) {
         Workspace workspace = workspace(loaded, progress);
         Review review = review(loaded, workspace, Profile.REQUIREMENTS, progress);
@@ -124,7 +125,7 @@ public record CheckedModels(
                 .forEach(findings::add);
         List<Suppressed> meant =
                 review.suppressed().stream().filter(each -> !each.finding().isError()).toList();
-        MadeOf code = MadeOf.those(executable.apply(workspace));
+        MadeOf code = MadeOf.those(executable.apply(workspace, loaded));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
             Checks.review(workspace, Profile.EXECUTABLE, unit -> true, progress::goOn)
@@ -143,7 +144,7 @@ public record CheckedModels(
 
     private static Review review(
             LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
-        return Checks.review(workspace, profile, unit -> true, progress::goOn)
+        return review(workspace, profile, unit -> true, loaded.libraries(), progress)
                 .and(
                         Checks.reviewRecovered(
                                 loaded.recovered(),
@@ -151,6 +152,43 @@ public record CheckedModels(
                                 loaded.broken(),
                                 List.of(),
                                 profile));
+    }
+
+    /**
+     * Asks the laws about units. Models of libraries are complete where they belong, and what they
+     * are there for is not asked here: they may be requirements wherever they are used.
+     *
+     * @param asked which units are looked at
+     * @param libraries paths of their models
+     */
+    public static Review review(
+            Workspace workspace,
+            Profile profile,
+            Predicate<Unit> asked,
+            Set<String> libraries,
+            Progress progress) {
+        if (libraries.isEmpty()) {
+            return Checks.review(workspace, profile, asked, progress::goOn);
+        }
+        Predicate<SourceFile> foreign = file -> libraries.contains(file.path());
+        return only(foreign.negate(), workspace, profile, asked, progress)
+                .and(only(foreign, workspace, Profile.REQUIREMENTS, asked, progress));
+    }
+
+    /** Laws about all files together find what is wrong with others as well. */
+    private static Review only(
+            Predicate<SourceFile> files,
+            Workspace workspace,
+            Profile profile,
+            Predicate<Unit> asked,
+            Progress progress) {
+        Predicate<Unit> units = unit -> files.test(unit.file());
+        Review all = Checks.review(workspace, profile, asked.and(units), progress::goOn);
+        return new Review(
+                all.findings().stream().filter(each -> files.test(each.span().file())).toList(),
+                all.suppressed().stream()
+                        .filter(each -> files.test(each.finding().span().file()))
+                        .toList());
     }
 
     private static CheckedModels of(

@@ -14,6 +14,7 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.OversizedCode;
@@ -30,7 +31,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Checks models for what code needs, generates it and writes it, all or nothing.
+ * Checks models for what code needs, generates it and writes it, all or nothing. What libraries of
+ * the session have as code of their own is left out; programs for the brick hold all they need.
  *
  * @param target a shipped target, or a folder of templates
  * @param out the folder to be written, as a whole
@@ -122,6 +124,9 @@ public record GenerateCode(
             return CheckedAnswer.refused(result);
         }
         Map<String, byte[]> output = output(generation, implementations, built);
+        if (!target.isForBrick()) { // whose programs hold all that they need
+            LibraryCode.of(target, choosing(), session).leaveOutOf(output);
+        }
         session.progress().step("writing", output.size(), "file");
         OutputFolder.replace(names.resolve(out), out, output);
         return CheckedAnswer.of(
@@ -146,26 +151,31 @@ public record GenerateCode(
     private static Map<String, byte[]> output(
             Generation generation, Implementations implementations, RobotBuilder.Result built) {
         Map<String, byte[]> output = new LinkedHashMap<>();
-        implementations.own().forEach((path, file) -> output.put(path, bytes(file.text())));
-        generation.files().forEach(file -> output.put(file.path(), bytes(file.text())));
+        implementations
+                .with(generation)
+                .forEach((path, text) -> output.put(path, text.getBytes(StandardCharsets.UTF_8)));
         output.putAll(built.jars());
         return output;
     }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private List<ComponentSymbol> executable(Workspace models, LoadedModels loaded) {
+        if (main.isPresent()) {
+            return MainComponent.symbols(main.get(), models);
+        }
+        return models.components().stream()
+                .filter(each -> !loaded.isOfLibrary(each.node().span().file().path()))
+                .toList();
     }
 
-    /** What code is to be made of; nothing where {@code --main} names nothing. */
-    private List<ComponentSymbol> executable(Workspace models) {
-        return main.map(name -> MainComponent.symbols(name, models)).orElseGet(models::components);
+    private Choosing choosing() {
+        return randomChoice ? Choosing.RANDOM : Choosing.FIRST;
     }
 
     private Request wanted(LoweredModels models) throws WrongUse {
-        Choosing choosing = randomChoice ? Choosing.RANDOM : Choosing.FIRST;
         if (main.isEmpty()) {
-            return Request.all(models.model(), choosing);
+            return Request.all(models.own(), choosing());
         }
-        return Request.program(MainComponent.find(main.get(), models).closed(), choosing);
+        return Request.program(MainComponent.find(main.get(), models).closed(), choosing());
     }
 }

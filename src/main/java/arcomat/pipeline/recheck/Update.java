@@ -5,6 +5,8 @@ import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
@@ -51,25 +53,23 @@ final class Update {
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
+            Session session,
+            CheckMemory memory) {
         before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
         this.states = states;
-        this.names = names;
+        this.names = session.names();
         this.memory = memory;
-        this.progress = progress;
+        this.progress = session.progress();
     }
 
     static Update of(
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
-        Update update = new Update(before, named, states, names, memory, progress);
+            Session session,
+            CheckMemory memory) {
+        Update update = new Update(before, named, states, session, memory);
         update.compare();
         return update;
     }
@@ -78,6 +78,9 @@ final class Update {
     private void compare() {
         for (String path : named.paths()) {
             after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), true));
+        }
+        for (String path : named.ofLibraries()) {
+            after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), false));
         }
         for (File file : before.values()) {
             if (!file.named() && !after.containsKey(file.path())) {
@@ -173,11 +176,12 @@ final class Update {
         progress.step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
-                Checks.review(
+                CheckedModels.review(
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
-                                progress::goOn)
+                                Set.copyOf(named.ofLibraries()),
+                                progress)
                         .and(Checks.reviewRecovered(recovered, units, broken, outlines, profile)));
     }
 
@@ -196,7 +200,7 @@ final class Update {
     }
 
     private SourceFile source(File file) {
-        if (file.named()) {
+        if (file.named() || named.readable().containsKey(file.path())) {
             return named.source(file.path());
         }
         SourceFile other = others.get(file.path());
