@@ -29,7 +29,7 @@ public final class ModelsMojo extends ToolMojo {
     /** As in other jars that are the same whenever they are made. */
     private static final LocalDateTime TIME = LocalDateTime.of(1980, 2, 1, 0, 0);
 
-    @SuppressWarnings("deprecation") // what takes its place is of another library
+    @SuppressWarnings({"deprecation", "NullAway.Init"}) // its successor is of another library
     @Component
     private MavenProjectHelper projectHelper;
 
