@@ -1,5 +1,7 @@
 package arcomat.pipeline;
 
+import arcomat.check.LawBook;
+
 import java.nio.file.Path;
 import java.util.List;
 
@@ -9,18 +11,19 @@ import java.util.List;
  *
  * @param names the paths of files, as the user writes them
  * @param progress told of what is being done
+ * @param laws that models are checked by
  * @param libraries model roots, as the user wrote them, that models may refer to and that somebody
  *     else is responsible for: nothing is asked about their models, nothing is made of them that
  *     their own project makes
  */
-public record Session(PathNames names, Progress progress, List<String> libraries) {
+public record Session(PathNames names, Progress progress, LawBook laws, List<String> libraries) {
     public Session {
         libraries = List.copyOf(libraries);
     }
 
-    /** Models that stand alone. */
+    /** Without guests, for models that stand alone. */
     public Session(PathNames names, Progress progress) {
-        this(names, progress, List.of());
+        this(names, progress, LawBook.OWN, List.of());
     }
 
     /**
@@ -30,14 +33,19 @@ public record Session(PathNames names, Progress progress, List<String> libraries
         return new Session(new PathNames(directory.toAbsolutePath().normalize()), progress);
     }
 
-    /** The same, where models may refer to those of other projects. */
-    public Session with(List<String> modelRoots) {
-        return new Session(names, progress, modelRoots);
+    /** The same, told of to somebody else. */
+    public Session with(Progress other) {
+        return new Session(names, other, laws, libraries);
     }
 
-    /** The same with somebody else who is told what is being done. */
-    public Session with(Progress listener) {
-        return new Session(names, listener, libraries);
+    /** The same, with these laws. */
+    public Session with(LawBook other) {
+        return new Session(names, progress, other, libraries);
+    }
+
+    /** The same, where models may refer to those of other projects. */
+    public Session with(List<String> modelRoots) {
+        return new Session(names, progress, laws, modelRoots);
     }
 
     /**

@@ -42,7 +42,7 @@ public record CheckedModels(
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
         Workspace workspace = workspace(loaded, session.progress());
-        Review review = review(loaded, workspace, profile, session.progress());
+        Review review = review(loaded, workspace, profile, session);
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -67,7 +67,7 @@ public record CheckedModels(
             Asked asked,
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
-        CheckedModels all = checkToRun(loaded, executable, session.progress());
+        CheckedModels all = checkWhole(loaded, executable, session);
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
@@ -107,16 +107,16 @@ public record CheckedModels(
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
-        CheckedModels all = checkToRun(loaded, (models, files) -> List.of(), session.progress());
+        CheckedModels all = checkWhole(loaded, (models, files) -> List.of(), session);
         return all.withoutBroken().orElse(all);
     }
 
-    private static CheckedModels checkToRun(
+    private static CheckedModels checkWhole(
             LoadedModels loaded,
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
-            Progress progress) {
-        Workspace workspace = workspace(loaded, progress);
-        Review review = review(loaded, workspace, Profile.REQUIREMENTS, progress);
+            Session session) {
+        Workspace workspace = workspace(loaded, session.progress());
+        Review review = review(loaded, workspace, Profile.REQUIREMENTS, session);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
@@ -128,7 +128,12 @@ public record CheckedModels(
         MadeOf code = MadeOf.those(executable.apply(workspace, loaded));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
-            Checks.review(workspace, Profile.EXECUTABLE, unit -> true, progress::goOn)
+            Checks.review(
+                            session.laws(),
+                            workspace,
+                            Profile.EXECUTABLE,
+                            unit -> true,
+                            session.progress()::goOn)
                     .findings()
                     .stream()
                     .filter(code::contains)
@@ -143,10 +148,11 @@ public record CheckedModels(
     }
 
     private static Review review(
-            LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
-        return review(workspace, profile, unit -> true, loaded.libraries(), progress)
+            LoadedModels loaded, Workspace workspace, Profile profile, Session session) {
+        return review(workspace, profile, unit -> true, loaded.libraries(), session)
                 .and(
                         Checks.reviewRecovered(
+                                session.laws(),
                                 loaded.recovered(),
                                 loaded.units(),
                                 loaded.broken(),
@@ -166,13 +172,14 @@ public record CheckedModels(
             Profile profile,
             Predicate<Unit> asked,
             Set<String> libraries,
-            Progress progress) {
+            Session session) {
         if (libraries.isEmpty()) {
-            return Checks.review(workspace, profile, asked, progress::goOn);
+            return Checks.review(
+                    session.laws(), workspace, profile, asked, session.progress()::goOn);
         }
         Predicate<SourceFile> foreign = file -> libraries.contains(file.path());
-        return only(foreign.negate(), workspace, profile, asked, progress)
-                .and(only(foreign, workspace, Profile.REQUIREMENTS, asked, progress));
+        return only(foreign.negate(), workspace, profile, asked, session)
+                .and(only(foreign, workspace, Profile.REQUIREMENTS, asked, session));
     }
 
     /** Laws about all files together find what is wrong with others as well. */
@@ -181,9 +188,15 @@ public record CheckedModels(
             Workspace workspace,
             Profile profile,
             Predicate<Unit> asked,
-            Progress progress) {
+            Session session) {
         Predicate<Unit> units = unit -> files.test(unit.file());
-        Review all = Checks.review(workspace, profile, asked.and(units), progress::goOn);
+        Review all =
+                Checks.review(
+                        session.laws(),
+                        workspace,
+                        profile,
+                        asked.and(units),
+                        session.progress()::goOn);
         return new Review(
                 all.findings().stream().filter(each -> files.test(each.span().file())).toList(),
                 all.suppressed().stream()

@@ -60,15 +60,14 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
 
     private Outcome run(
             CheckMemory memory, BiFunction<String, NamedFiles, Optional<CheckState>> last) {
-        PathNames names = session.names();
-        Set<Path> searched = ModelLoader.searchedFolders(paths, names);
-        searched.addAll(ModelLoader.searchedFolders(session.libraries(), names));
+        Set<Path> searched = ModelLoader.searchedFolders(paths, names());
+        searched.addAll(ModelLoader.searchedFolders(session.libraries(), names()));
         NamedFiles named =
                 NamedFiles.read(
-                        paths, session.libraries(), names, session.progress(), memory::read);
+                        paths, session.libraries(), names(), session.progress(), memory::read);
         String key = key(searched, named);
         Optional<CheckState> before = last.apply(key, named);
-        FilesAround around = new FilesAround(names, searched, named.all());
+        FilesAround around = new FilesAround(names(), searched, named.all());
         return before.flatMap(state -> update(state, named, around, memory))
                 .orElseGet(() -> full(key, searched));
     }
@@ -79,6 +78,7 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
                 String.join(
                         "\n",
                         tool,
+                        session.laws().identity(),
                         profile.name(),
                         new TreeSet<>(searched).toString(),
                         String.join("\n", session.libraries()),
@@ -90,7 +90,7 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
         if (named.readable().containsKey(path)) {
             return named.source(path);
         }
-        Path place = session.names().resolve(path);
+        Path place = names().resolve(path);
         if (Library.isShown(path) && !Files.exists(place)) {
             return Library.file(path);
         }
@@ -101,7 +101,7 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
         CheckedModels models = CheckedModels.check(paths, profile, session);
         List<String> found = new ArrayList<>(models.loaded().named());
         found.addAll(models.loaded().libraries());
-        FilesAround around = new FilesAround(session.names(), searched, found);
+        FilesAround around = new FilesAround(names(), searched, found);
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);
         return new Outcome(models.result(), state, models.loaded().named());
@@ -121,6 +121,10 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
         folders.putAll(around.folders());
         CheckState state = new CheckState(before.key(), folders, files);
         return Optional.of(new Outcome(result(files, named), state, update.checkedFiles()));
+    }
+
+    private PathNames names() {
+        return session.names();
     }
 
     private static CheckResult result(List<File> files, NamedFiles named) {

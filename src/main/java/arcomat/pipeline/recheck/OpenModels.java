@@ -1,6 +1,7 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
+import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.LoadedModels;
@@ -113,12 +114,14 @@ public final class OpenModels {
         List<Recovered> recovered = files.recovered(affected::contains).toList();
         Review review =
                 Checks.review(
+                                LawBook.OWN,
                                 files.whole(),
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 goOn)
                         .and(
                                 Checks.reviewRecovered(
+                                        LawBook.OWN,
                                         recovered,
                                         files.units(),
                                         files.broken(),

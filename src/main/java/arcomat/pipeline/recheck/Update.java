@@ -3,8 +3,6 @@ package arcomat.pipeline.recheck;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
-import arcomat.pipeline.PathNames;
-import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
@@ -34,8 +32,7 @@ import java.util.TreeSet;
 
 /** From the state of the files at the last check to that of the files now. */
 final class Update {
-    private final PathNames names;
-    private final Progress progress;
+    private final Session session;
     private final CheckMemory memory;
     private final NamedFiles named;
     private final StateOfFiles states;
@@ -58,9 +55,8 @@ final class Update {
         before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
         this.states = states;
-        this.names = session.names();
+        this.session = session;
         this.memory = memory;
-        this.progress = session.progress();
     }
 
     static Update of(
@@ -96,7 +92,7 @@ final class Update {
             return file;
         }
         Optional<SourceFile> source =
-                FileReader.read(names.resolve(file.path()), file.path()).file();
+                FileReader.read(session.names().resolve(file.path()), file.path()).file();
         source.ifPresent(read -> others.put(file.path(), read));
         return now(file.path(), source, false);
     }
@@ -128,7 +124,7 @@ final class Update {
     private boolean isAmbiguous(File file) {
         return !file.named()
                 && Library.isShown(file.path())
-                && Files.exists(names.resolve(file.path()));
+                && Files.exists(session.names().resolve(file.path()));
     }
 
     private boolean changesSurroundings(@Nullable File old, @Nullable File fresh) {
@@ -173,7 +169,7 @@ final class Update {
                 outlines.add(file.names().get());
             }
         }
-        progress.step("checking", affected.size(), "model");
+        session.progress().step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
                 CheckedModels.review(
@@ -181,8 +177,15 @@ final class Update {
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 Set.copyOf(named.ofLibraries()),
-                                progress)
-                        .and(Checks.reviewRecovered(recovered, units, broken, outlines, profile)));
+                                session)
+                        .and(
+                                Checks.reviewRecovered(
+                                        session.laws(),
+                                        recovered,
+                                        units,
+                                        broken,
+                                        outlines,
+                                        profile)));
     }
 
     private void parse(Set<String> needed) {
@@ -193,7 +196,7 @@ final class Update {
                 missing.add(source(file));
             }
         }
-        List<Parsed> results = memory.parsed(missing, progress);
+        List<Parsed> results = memory.parsed(missing, session.progress());
         for (int i = 0; i < missing.size(); i++) {
             parsed.put(missing.get(i).path(), results.get(i));
         }

@@ -2,6 +2,7 @@ package arcomat.pipeline.watch;
 
 import arcomat.check.law.Profile;
 import arcomat.pipeline.Interruption;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.check.WrittenNames;
@@ -46,7 +47,7 @@ final class Rounds {
             WatchedFiles watched,
             Blackboard board) {
         this.paths = paths;
-        this.session = session;
+        this.session = session.with(Progress.NONE);
         this.tool = tool;
         this.limits = limits;
         this.watched = watched;
@@ -80,7 +81,7 @@ final class Rounds {
 
     private void begin(Dependencies files) {
         current = new Interruption();
-        Runnable steps = new SlowSteps(board, files, session, limits, current);
+        Runnable steps = new SlowSteps(board, files, session.with(current), limits, current);
         Thread thread = new Thread(null, steps, "arcomat-watch", STACK_BYTES);
         thread.setDaemon(true);
         thread.start();

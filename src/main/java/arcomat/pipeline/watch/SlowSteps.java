@@ -28,7 +28,7 @@ import java.util.concurrent.CancellationException;
 record SlowSteps(
         Blackboard board,
         Dependencies files,
-        Session given,
+        Session session,
         AnalysisLimits limits,
         Interruption interruption)
         implements Runnable {
@@ -38,7 +38,6 @@ record SlowSteps(
     @Override
     public void run() {
         try {
-            Session session = given.with(interruption);
             test(session);
             verify(session);
             for (String world : board.worlds().stream().sorted().toList()) {

@@ -1,7 +1,6 @@
 package arcomat.pipeline.watch;
 
 import arcomat.pipeline.PathNames;
-import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -52,8 +51,7 @@ public record WatchModels(
         WatchedFiles watched = WatchedFiles.of(roots, session.names());
         AnalysisLimits limits = new AnalysisLimits(Optional.of(seconds), Optional.empty());
         Blackboard board = new Blackboard(listener);
-        Rounds rounds =
-                new Rounds(paths, session.with(Progress.NONE), tool, limits, watched, board);
+        Rounds rounds = new Rounds(paths, session, tool, limits, watched, board);
         try {
             if (once) {
                 rounds.first();

@@ -67,6 +67,10 @@ class CampaignPageBrowserTest extends BrowserTest {
         assertThat(browser.findAll("#coverage details")).hasSize(2);
         assertThat(browser.findAll("#coverage details[open]")).hasSize(1);
         assertThat(browser.findAll("#coverage .missing")).hasSize(3);
+        assertThat(browser.findAll("#coverage .never")).hasSize(2);
+        assertThat(browser.text("#coverage .never")).isEqualTo("van: none");
+        assertThat(browser.text("#coverage"))
+                .contains("truck.driver: ", "by each part", "6 of 11 transitions, 6 of 9 states");
         assertThat(browser.text("#coverage"))
                 .contains("4 of 6", "state lost", "another one is always taken first", "truck.jar");
         assertThat(browser.text("#runs code")).startsWith("arcomat world models/yard");

@@ -72,6 +72,12 @@ class CampaignPageTest {
         assertThat(json.at("/coverage/automata/1/transitions/4/number").asInt()).isEqualTo(5);
         assertThat(json.at("/coverage/automata/1/transitions/4/coded").asBoolean()).isFalse();
         assertThat(json.at("/coverage/automata/1/states/3/runs").asInt()).isZero();
+        JsonNode parts = json.at("/coverage/automata/1/parts");
+        assertThat(parts.findValuesAsText("part")).containsExactly("truck.driver", "van");
+        assertThat(parts.at("/0/transitions/2").asLong()).isPositive();
+        assertThat(parts.at("/1/transitions/2").asLong()).isZero();
+        assertThat(parts.at("/1/number").asInt()).isEqualTo(14);
+        assertThat(json.at("/coverage/automata/0/parts/0/number").asInt()).isZero();
         assertThat(json.at("/coverage/jars/0").asText()).isEqualTo("truck.jar");
         // Some never got there: the greatest time is none, and the histogram says how many.
         JsonNode reached = json.at("/measures/1");

@@ -13,6 +13,8 @@ import arcomat.campaign.coverage.AutomatonItems;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
 import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ItemNumbers;
+import arcomat.campaign.coverage.PartItems;
 import arcomat.campaign.coverage.ReachedItems;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Families;
@@ -81,7 +83,13 @@ final class SampleCampaigns {
                     List.of(0));
 
     private static final CoverageItems ITEMS =
-            new CoverageItems(List.of(BELL, DRIVER), List.of("truck.jar"));
+            new CoverageItems(
+                    List.of(BELL, DRIVER),
+                    List.of(
+                            new PartItems("truck", "driver", 1),
+                            new PartItems("truck", "horn.bell", 0),
+                            new PartItems("van", "", 1)),
+                    List.of("truck.jar"));
 
     private SampleCampaigns() {}
 
@@ -218,8 +226,13 @@ final class SampleCampaigns {
         }
         BitSet reached = new BitSet();
         reached.set(0, collides ? 4 : 3);
-        reached.set(ITEMS.initial(0, 0));
-        reached.set(ITEMS.initial(1, 0));
+        ItemNumbers truck = ITEMS.ofParts().get(0);
+        ItemNumbers van = ITEMS.ofParts().get(2);
+        reached.set(truck.transition(), truck.transition() + (collides ? 3 : 2));
+        reached.set(van.transition(), van.transition() + 2);
+        for (ItemNumbers each : List.of(ITEMS.ofAutomaton(0), ITEMS.ofAutomaton(1), truck, van)) {
+            reached.set(each.initial());
+        }
         return Row.made(trial, answers, ReachedItems.of(reached));
     }
 

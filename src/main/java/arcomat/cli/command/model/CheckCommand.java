@@ -7,7 +7,6 @@ import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -92,8 +91,7 @@ public final class CheckCommand extends Command {
     protected int run(Session session) throws WrongUse {
         CheckResult result = check(session);
         CheckReport report = baselines.apply(result, session);
-        Rendering rendering =
-                new CheckRendering("check", report, strict, MachineFormats.of(console()));
+        Rendering rendering = new CheckRendering("check", report, strict, machineFormats());
         reports.write(rendering, session, console());
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;

@@ -52,8 +52,8 @@ import java.util.function.Function;
                     + " --resume",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --report build/page",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --part 2/3 --out part2",
-            "  arcomat campaign models/coffee/campaigns/meeting.campaign --with part1 --with part2"
-                    + " --with part3",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --join part1 --join part2"
+                    + " --join part3",
             "",
             "Exit status: 0 all that was asked for holds; 1 something fails, or there are errors"
                     + " in the campaign, its world or its models; 3 the runs do not decide it;"
@@ -88,7 +88,7 @@ public final class CampaignCommand extends Command {
     private String part;
 
     @Option(
-            names = "--with",
+            names = "--join",
             paramLabel = "DIR",
             description =
                     "Take rows that a part of this campaign has made from there. May be repeated;"
@@ -186,7 +186,7 @@ public final class CampaignCommand extends Command {
         }
         if (report != null || format != OutputFormat.text || !parts.isEmpty()) {
             throw new WrongUse(
-                    "--part makes rows and judges nothing: --report, --format and --with are for"
+                    "--part makes rows and judges nothing: --report, --format and --join are for"
                             + " the whole campaign");
         }
         return Optional.of(CampaignPart.parse(part));

@@ -6,7 +6,6 @@ import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
@@ -68,7 +67,8 @@ public final class TestCommand extends Command {
         CheckResult check = reply.check();
         tellAside(check);
         if (reply.value().isEmpty()) {
-            reports.write(CheckRendering.refused("test", check, console()), session, console());
+            reports.write(
+                    CheckRendering.refused("test", check, machineFormats()), session, console());
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
         List<StreamTestResult> tests = reply.value().get();
@@ -94,8 +94,8 @@ public final class TestCommand extends Command {
         return switch (format) {
             case text -> StreamTestText.render(tests, style) + summary;
             case json -> StreamTestJson.render(tests);
-            case sarif -> MachineFormats.of(console()).sarif(findings, false);
-            case github -> MachineFormats.of(console()).github(findings, summary);
+            case sarif -> machineFormats().sarif(findings, false);
+            case github -> machineFormats().github(findings, summary);
             case junit ->
                     JunitXml.render(
                             "arcomat test",
