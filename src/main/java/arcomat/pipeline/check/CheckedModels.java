@@ -62,7 +62,8 @@ public record CheckedModels(
         return checkToRun(ModelLoader.load(paths, session), asked, executable, session);
     }
 
-    private static CheckedModels checkToRun(
+    /** As above, of models that somebody else has read. */
+    public static CheckedModels checkToRun(
             LoadedModels loaded,
             Asked asked,
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,

@@ -49,6 +49,8 @@ public record GenerateCode(
         List<String> monitors,
         List<String> paths)
         implements Task<CheckedAnswer<GenerateCode.Made>> {
+    private static final String BRICK = "lejos";
+
     /**
      * What came of it.
      *
@@ -58,6 +60,17 @@ public record GenerateCode(
      */
     public record Made(
             List<String> files, List<RobotBuilder.BrickProgram> robots, List<RobotWatch> watches) {}
+
+    /**
+     * What is to be written.
+     *
+     * @param result with findings about code, too; nothing is written where there are errors
+     */
+    private record Draft(
+            CheckResult result,
+            Map<String, byte[]> output,
+            RobotBuilder.Result built,
+            List<RobotWatch> watches) {}
 
     /**
      * What a robot watches itself for.
@@ -91,13 +104,40 @@ public record GenerateCode(
                             + " watches other code");
         }
         CheckedModels checked = CheckedModels.checkToRun(paths, asked(), this::executable, session);
-        return checked.hasErrors()
-                ? CheckedAnswer.refused(checked.result())
-                : generate(code, checked.lower(session), session);
+        if (checked.hasErrors()) {
+            return CheckedAnswer.refused(checked.result());
+        }
+        Draft draft = draft(code, checked.lower(session), session);
+        return draft.result().hasErrors()
+                ? CheckedAnswer.refused(draft.result())
+                : CheckedAnswer.of(draft.result(), write(draft, session));
     }
 
-    private CheckedAnswer<Made> generate(Target target, LoweredModels models, Session session)
-            throws WrongUse {
+    /**
+     * Makes the program of one component and writes nothing, for somebody who wants to know what it
+     * would be like.
+     *
+     * @param models as somebody else has read them
+     * @throws WrongUse where the component cannot be a program by itself
+     */
+    public static CheckedAnswer<RobotBuilder.BrickProgram> program(
+            String component, LoadedModels models, Session session) throws WrongUse {
+        GenerateCode code =
+                new GenerateCode(
+                        BRICK, "", Optional.of(component), false, List.of(), models.named());
+        CheckedModels checked =
+                CheckedModels.checkToRun(models, code.asked(), code::executable, session);
+        if (checked.hasErrors()) {
+            return CheckedAnswer.refused(checked.result());
+        }
+        Target target = Targets.find(BRICK, session.names());
+        Draft draft = code.draft(target, checked.lower(session), session);
+        return draft.result().hasErrors()
+                ? CheckedAnswer.refused(draft.result())
+                : CheckedAnswer.of(draft.result(), draft.built().robots().get(0));
+    }
+
+    private Draft draft(Target target, LoweredModels models, Session session) throws WrongUse {
         session.progress().step("generating");
         CheckedModels checked = models.checked();
         PathNames names = session.names();
@@ -120,21 +160,23 @@ public record GenerateCode(
             findings.addAll(built.findings());
             result = checked.result().with(findings);
         }
-        if (result.hasErrors()) {
-            return CheckedAnswer.refused(result);
-        }
         Map<String, byte[]> output = output(generation, implementations, built);
-        if (!target.isForBrick()) { // whose programs hold all that they need
+        if (!target.isForBrick() && !result.hasErrors()) {
+            // Programs for the brick hold all that they need.
             LibraryCode.of(target, choosing(), session).leaveOutOf(output);
         }
-        session.progress().step("writing", output.size(), "file");
-        OutputFolder.replace(names.resolve(out), out, output);
-        return CheckedAnswer.of(
+        return new Draft(
                 result,
-                new Made(
-                        List.copyOf(output.keySet()),
-                        built.robots(),
-                        watches.stream().map(RobotWatch::of).toList()));
+                output,
+                built,
+                watches.stream().map(RobotWatch::of).toList());
+    }
+
+    private Made write(Draft draft, Session session) throws WrongUse {
+        Map<String, byte[]> output = draft.output();
+        session.progress().step("writing", output.size(), "file");
+        OutputFolder.replace(session.names().resolve(out), out, output);
+        return new Made(List.copyOf(output.keySet()), draft.built().robots(), draft.watches());
     }
 
     /** What runs, and what it watches itself for; everything where nothing says what runs. */

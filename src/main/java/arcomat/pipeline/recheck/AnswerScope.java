@@ -33,7 +33,7 @@ record AnswerScope(OpenModels open, String path) {
     }
 
     private Set<String> scope() {
-        Dependencies dependencies = new Dependencies(open.remembered().values());
+        Dependencies dependencies = open.dependencies();
         FileInterface own = FileInterface.of(Objects.requireNonNull(open.remembered().get(path)));
         Set<String> users = new HashSet<>(dependencies.affectedBy(List.of(own)));
         users.removeIf(each -> each.endsWith(".mt"));

@@ -1,5 +1,9 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.check.Checks;
+import arcomat.check.LawBook;
+import arcomat.check.Review;
+import arcomat.check.law.Profile;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.Library;
@@ -28,8 +32,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Predicate;
-import java.util.stream.Stream;
 
 /** The files of a model root as they are now, the library's that they need included. A value. */
 final class OpenFiles {
@@ -42,6 +44,7 @@ final class OpenFiles {
     private final SortedMap<String, OpenFile> files;
     private final OpenModels.Edition edition = new OpenModels.Edition();
     private final Lazy<Workspace> workspace = new Lazy<>(this::around);
+    private final Lazy<Workspace> whole = new Lazy<>(this::withoutBroken);
 
     /**
      * A file as it is now.
@@ -183,24 +186,48 @@ final class OpenFiles {
         return new OpenModels.Draft(written.readable(), workspace(parsed));
     }
 
+    /**
+     * The findings about some files.
+     *
+     * @param wanted their paths
+     * @param goOn asked now and then; it may throw what ends the work
+     */
+    Review review(Set<String> wanted, Profile profile, Runnable goOn) {
+        return Checks.review(
+                        LawBook.OWN,
+                        whole.get(),
+                        profile,
+                        unit -> wanted.contains(unit.file().path()),
+                        goOn)
+                .and(
+                        Checks.reviewRecovered(
+                                LawBook.OWN,
+                                recovered(wanted),
+                                units(),
+                                broken(),
+                                List.of(),
+                                profile));
+    }
+
     /** What names mean to a check, which looks at files with syntax errors by themselves. */
-    Workspace whole() {
+    private Workspace withoutBroken() {
         return broken().isEmpty() ? workspace() : Workspace.of(units(), broken());
     }
 
     /** Of the files that parse. */
-    List<Unit> units() {
+    private List<Unit> units() {
         return files.values().stream().flatMap(file -> file.parsed().unit().stream()).toList();
     }
 
-    Stream<Recovered> recovered(Predicate<String> wanted) {
+    private List<Recovered> recovered(Set<String> wanted) {
         return files.entrySet().stream()
-                .filter(each -> wanted.test(each.getKey()))
-                .flatMap(each -> each.getValue().parsed().recovered().stream());
+                .filter(each -> wanted.contains(each.getKey()))
+                .flatMap(each -> each.getValue().parsed().recovered().stream())
+                .toList();
     }
 
     /** Paths of those that do not. */
-    Set<String> broken() {
+    private Set<String> broken() {
         Set<String> broken = new HashSet<>();
         files.forEach(
                 (path, file) -> {

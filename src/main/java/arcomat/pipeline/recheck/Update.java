@@ -83,7 +83,7 @@ final class Update {
                 after.put(file.path(), notNamed(file));
             }
         }
-        dependencies = new Dependencies(after.values());
+        dependencies = Dependencies.of(after.values());
         affected.addAll(changes.affected(dependencies));
     }
 
