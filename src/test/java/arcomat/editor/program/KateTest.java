@@ -40,8 +40,7 @@ class KateTest {
         Optional<String> there = PROGRAMS.stream().filter(KateTest::isThere).findFirst();
         assumeTrue(there.isPresent(), "Kate's colours (kate-syntax-highlighter) are not installed");
         program = there.get();
-        Path syntax =
-                Files.createDirectories(folder.resolve("org.kde.syntax-highlighting/syntax"));
+        Path syntax = Files.createDirectories(folder.resolve("org.kde.syntax-highlighting/syntax"));
         try (Stream<Path> files = Files.list(FILES)) {
             for (Path file : files.toList()) {
                 Files.copy(file, syntax.resolve(file.getFileName()));
