@@ -122,7 +122,8 @@ class FoldersTest {
         Set<String> rooms = House.rooms();
         CODE.forEach(
                 (folder, files) -> {
-                    if (Stream.of("src", "benchmarks", "cluster", "guests").noneMatch(folder::startsWith)) {
+                    if (Stream.of("src", "benchmarks", "cluster", "guests")
+                            .noneMatch(folder::startsWith)) {
                         assertThat(files.stream().flatMap(file -> imports(file).stream()))
                                 .filteredOn(each -> each.startsWith("arcomat."))
                                 .filteredOn(each -> rooms.contains(each.split("\\.")[1]))
