@@ -52,7 +52,7 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                 if (other != null) {
                     throw new WrongUse(
                             "the code %s is that of two laws, of guest '%s' and of guest '%s';"
-                                + " leave one of them out",
+                                    + " leave one of them out",
                             law.code(), other, guest.guest());
                 }
             }

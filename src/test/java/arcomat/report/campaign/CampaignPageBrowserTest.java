@@ -18,7 +18,13 @@ import java.util.Map;
 class CampaignPageBrowserTest extends BrowserTest {
     @Override
     protected Map<String, Executable> tests() {
-        return Map.of("what a campaign found", this::look, "what is rare, and worst", this::search);
+        return Map.of(
+                "what a campaign found",
+                this::look,
+                "what is rare, and worst",
+                this::search,
+                "older tables beside it",
+                this::beside);
     }
 
     private void search() throws WrongUse {
@@ -54,6 +60,21 @@ class CampaignPageBrowserTest extends BrowserTest {
         browser.print();
         assertThat(browser.find("#heat .toolbar").isDisplayed()).isFalse();
         browser.picture("campaign-print");
+    }
+
+    private void beside() throws WrongUse {
+        Session session = Session.in(Path.of(""), Progress.NONE);
+        CampaignReport report = SampleCampaigns.against("yard.campaign");
+        session.run(new WriteCampaignPage(report, folder.toString()));
+        browser.open(folder.resolve("index.html").toUri().toString(), "#against-1 .beside");
+        browser.resize(1500, 2700);
+        assertThat(browser.text("#against-0")).contains("build/careful", "collision", "worse");
+        assertThat(browser.findAll("#against-0 tr.bad")).isNotEmpty();
+        assertThat(browser.findAll("#against-1 tr.bad")).isEmpty();
+        browser.find("#against-0 details summary").click();
+        assertThat(browser.text("#against-0 details")).contains("got worse", "seed ");
+        browser.picture("campaign-against");
+        narrow();
     }
 
     private void says() {

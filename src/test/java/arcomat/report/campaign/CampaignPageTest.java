@@ -100,4 +100,21 @@ class CampaignPageTest {
                         "arcomat world models/yard/world/yard.world --seed 7 --set 'who=$HOME'"
                                 + " --report build/run");
     }
+
+    /** What is worse than before turns the page red, although nothing was required. */
+    @Test
+    void olderTablesStandBeside() throws IOException {
+        CampaignReport report = SampleCampaigns.against("a");
+        JsonNode json = new ObjectMapper().readTree(CampaignJson.render(report));
+        assertThat(json.get("verdict").asText()).isEqualTo("fails");
+        assertThat(json.get("headline").asText()).endsWith(": something is worse than before");
+        assertThat(json.at("/against/0/name").asText()).isEqualTo("build/careful");
+        assertThat(json.at("/against/0/pairs").asLong()).isEqualTo(500);
+        assertThat(json.at("/against/0/events/0/decision").asText()).isEqualTo("worse");
+        assertThat(json.at("/against/0/events/0/better").asLong()).isZero();
+        assertThat(json.at("/against/0/events/0/firstWorse")).hasSize(20);
+        assertThat(json.at("/against/1/pairs").asLong()).isZero();
+        assertThat(json.at("/against/1/events/0/decision").asText()).isEqualTo("undecided");
+        assertThat(json.at("/against/1/remarks/0").asText()).contains("intervals decide");
+    }
 }
