@@ -3,6 +3,7 @@ package arcomat.pipeline;
 import arcomat.check.LawBook;
 
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Everything that the tool does goes through here, for whoever asks: the command line, a build, a
@@ -11,11 +12,18 @@ import java.nio.file.Path;
  * @param names the paths of files, as the user writes them
  * @param progress told of what is being done
  * @param laws that models are checked by
+ * @param libraries model roots, as the user wrote them, that models may refer to and that somebody
+ *     else is responsible for: nothing is asked about their models, nothing is made of them that
+ *     their own project makes
  */
-public record Session(PathNames names, Progress progress, LawBook laws) {
-    /** Without guests. */
+public record Session(PathNames names, Progress progress, LawBook laws, List<String> libraries) {
+    public Session {
+        libraries = List.copyOf(libraries);
+    }
+
+    /** Without guests, for models that stand alone. */
     public Session(PathNames names, Progress progress) {
-        this(names, progress, LawBook.OWN);
+        this(names, progress, LawBook.OWN, List.of());
     }
 
     /**
@@ -27,12 +35,17 @@ public record Session(PathNames names, Progress progress, LawBook laws) {
 
     /** The same, told of to somebody else. */
     public Session with(Progress other) {
-        return new Session(names, other, laws);
+        return new Session(names, other, laws, libraries);
     }
 
     /** The same, with these laws. */
     public Session with(LawBook other) {
-        return new Session(names, progress, other);
+        return new Session(names, progress, other, libraries);
+    }
+
+    /** The same, where models may refer to those of other projects. */
+    public Session with(List<String> modelRoots) {
+        return new Session(names, progress, laws, modelRoots);
     }
 
     /**

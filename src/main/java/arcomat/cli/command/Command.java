@@ -61,11 +61,16 @@ public abstract class Command implements Callable<Integer> {
     }
 
     private int run(Progress limited) throws WrongUse {
-        session = Session.in(console().directory(), limited);
+        session = Session.in(console().directory(), limited).with(libraries());
         if (!guests.isEmpty()) {
             session = session.with(session.run(new WelcomeGuests(guests)));
         }
         return run(session);
+    }
+
+    /** Model roots of others that the models may refer to. */
+    protected List<String> libraries() {
+        return List.of();
     }
 
     /** Results for programs that show every kind of finding in one way. */

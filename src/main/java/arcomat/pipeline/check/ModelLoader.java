@@ -47,17 +47,19 @@ public final class ModelLoader {
     }
 
     static LoadedModels load(List<String> paths, Session session) {
-        return new ModelLoader(session.names(), session.progress()).load(paths);
+        return new ModelLoader(session.names(), session.progress())
+                .load(paths, session.libraries());
     }
 
-    private LoadedModels load(List<String> paths) {
-        FileFinder finder = new FileFinder(names);
-        paths.forEach(finder::find);
-        findings.addAll(finder.findings());
-        List<Unit> fresh = parse(read(finder.files()));
+    private LoadedModels load(List<String> paths, List<String> libraries) {
+        FoundModels found = FoundModels.find(paths, libraries, names);
+        findings.addAll(found.findings());
+        List<Unit> fresh = parse(read(found.all()));
         Set<Path> folders = searchedFolders(paths, names);
+        folders.addAll(searchedFolders(libraries, names));
         ModelRoot roots = new ModelRoot(names.fence());
-        Set<String> needed = new HashSet<>();
+        Set<String> ofLibraries = Set.copyOf(found.pathsOfLibraries());
+        Set<String> needed = new HashSet<>(ofLibraries);
         while (!fresh.isEmpty()) {
             List<SourceFile> more = read(needed(fresh, roots, folders));
             more.forEach(file -> needed.add(file.path()));
@@ -71,8 +73,8 @@ public final class ModelLoader {
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }
-        List<String> named = finder.files().stream().map(FileFinder.Found::shown).toList();
-        return new LoadedModels(named, sources, units, recovered, broken, findings, needed);
+        return new LoadedModels(
+                found.paths(), sources, units, recovered, broken, findings, needed, ofLibraries);
     }
 
     /** Those of the paths that are folders. */

@@ -31,7 +31,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Checks models for what code needs, generates it and writes it, all or nothing.
+ * Checks models for what code needs, generates it and writes it, all or nothing. What libraries of
+ * the session have as code of their own is left out; programs for the brick hold all they need.
  *
  * @param target a shipped target, or a folder of templates
  * @param out the folder to be written, as a whole
@@ -159,9 +160,14 @@ public record GenerateCode(
             findings.addAll(built.findings());
             result = checked.result().with(findings);
         }
+        Map<String, byte[]> output = output(generation, implementations, built);
+        if (!target.isForBrick() && !result.hasErrors()) {
+            // Programs for the brick hold all that they need.
+            LibraryCode.of(target, choosing(), session).leaveOutOf(output);
+        }
         return new Draft(
                 result,
-                output(generation, implementations, built),
+                output,
                 built,
                 watches.stream().map(RobotWatch::of).toList());
     }
@@ -187,26 +193,31 @@ public record GenerateCode(
     private static Map<String, byte[]> output(
             Generation generation, Implementations implementations, RobotBuilder.Result built) {
         Map<String, byte[]> output = new LinkedHashMap<>();
-        implementations.own().forEach((path, file) -> output.put(path, bytes(file.text())));
-        generation.files().forEach(file -> output.put(file.path(), bytes(file.text())));
+        implementations
+                .with(generation)
+                .forEach((path, text) -> output.put(path, text.getBytes(StandardCharsets.UTF_8)));
         output.putAll(built.jars());
         return output;
     }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private List<ComponentSymbol> executable(Workspace models, LoadedModels loaded) {
+        if (main.isPresent()) {
+            return MainComponent.symbols(main.get(), models);
+        }
+        return models.components().stream()
+                .filter(each -> !loaded.isOfLibrary(each.node().span().file().path()))
+                .toList();
     }
 
-    /** What code is to be made of; nothing where {@code --main} names nothing. */
-    private List<ComponentSymbol> executable(Workspace models) {
-        return main.map(name -> MainComponent.symbols(name, models)).orElseGet(models::components);
+    private Choosing choosing() {
+        return randomChoice ? Choosing.RANDOM : Choosing.FIRST;
     }
 
     private Request wanted(LoweredModels models) throws WrongUse {
-        Choosing choosing = randomChoice ? Choosing.RANDOM : Choosing.FIRST;
         if (main.isEmpty()) {
-            return Request.all(models.model(), choosing);
+            return Request.all(models.own(), choosing());
         }
-        return Request.program(MainComponent.find(main.get(), models).closed(), choosing);
+        return Request.program(MainComponent.find(main.get(), models).closed(), choosing());
     }
 }

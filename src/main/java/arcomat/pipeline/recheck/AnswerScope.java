@@ -28,7 +28,8 @@ record AnswerScope(OpenModels open, String path) {
                 parsed.stream().flatMap(each -> each.recovered().stream()).toList(),
                 broken(scope),
                 parsed.stream().flatMap(each -> each.findings().stream()).toList(),
-                others);
+                others,
+                Set.of());
     }
 
     private Set<String> scope() {

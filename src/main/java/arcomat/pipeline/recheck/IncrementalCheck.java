@@ -61,10 +61,13 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
     private Outcome run(
             CheckMemory memory, BiFunction<String, NamedFiles, Optional<CheckState>> last) {
         Set<Path> searched = ModelLoader.searchedFolders(paths, names());
-        NamedFiles named = NamedFiles.read(paths, names(), session.progress(), memory::read);
+        searched.addAll(ModelLoader.searchedFolders(session.libraries(), names()));
+        NamedFiles named =
+                NamedFiles.read(
+                        paths, session.libraries(), names(), session.progress(), memory::read);
         String key = key(searched, named);
         Optional<CheckState> before = last.apply(key, named);
-        FilesAround around = new FilesAround(names(), searched, named.paths());
+        FilesAround around = new FilesAround(names(), searched, named.all());
         return before.flatMap(state -> update(state, named, around, memory))
                 .orElseGet(() -> full(key, searched));
     }
@@ -78,6 +81,7 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
                         session.laws().identity(),
                         profile.name(),
                         new TreeSet<>(searched).toString(),
+                        String.join("\n", session.libraries()),
                         named.hasErrors() ? "incomplete" : "complete"));
     }
 
@@ -95,7 +99,9 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
 
     private Outcome full(String key, Set<Path> searched) {
         CheckedModels models = CheckedModels.check(paths, profile, session);
-        FilesAround around = new FilesAround(names(), searched, models.loaded().named());
+        List<String> found = new ArrayList<>(models.loaded().named());
+        found.addAll(models.loaded().libraries());
+        FilesAround around = new FilesAround(names(), searched, found);
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);
         return new Outcome(models.result(), state, models.loaded().named());

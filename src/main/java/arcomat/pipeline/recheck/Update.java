@@ -4,6 +4,7 @@ import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.pipeline.Session;
+import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
@@ -73,6 +74,9 @@ final class Update {
     private void compare() {
         for (String path : named.paths()) {
             after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), true));
+        }
+        for (String path : named.ofLibraries()) {
+            after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), false));
         }
         for (File file : before.values()) {
             if (!file.named() && !after.containsKey(file.path())) {
@@ -168,12 +172,12 @@ final class Update {
         session.progress().step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
-                Checks.review(
-                                session.laws(),
+                CheckedModels.review(
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
-                                session.progress()::goOn)
+                                Set.copyOf(named.ofLibraries()),
+                                session)
                         .and(
                                 Checks.reviewRecovered(
                                         session.laws(),
@@ -199,7 +203,7 @@ final class Update {
     }
 
     private SourceFile source(File file) {
-        if (file.named()) {
+        if (file.named() || named.readable().containsKey(file.path())) {
             return named.source(file.path());
         }
         SourceFile other = others.get(file.path());

@@ -3,6 +3,7 @@ package arcomat.cli.command.model;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BaselineOptions;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
@@ -73,11 +74,18 @@ public final class CheckCommand extends Command {
 
     @Mixin private ReportOptions reports = new ReportOptions();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(
             paramLabel = "PATH",
             arity = "1..*",
             description = "Model files, and folders that are model roots.")
     private List<String> paths;
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {

@@ -2,6 +2,7 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;
@@ -49,8 +50,15 @@ import java.util.stream.Collectors;
 public final class TestCommand extends Command {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {
