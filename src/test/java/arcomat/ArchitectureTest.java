@@ -51,6 +51,7 @@ class ArchitectureTest {
                     Map.entry("syntax", row("tree", "org.antlr")),
                     Map.entry("symbols", row("tree")),
                     Map.entry("check", row("symbols tree")),
+                    Map.entry("guest", row("check tree")),
                     Map.entry("lower", row("model symbols tree")),
                     Map.entry("semantics", row("model rt")),
                     Map.entry(
@@ -72,7 +73,7 @@ class ArchitectureTest {
                     Map.entry(
                             "pipeline",
                             row(
-                                    "syntax tree symbols check lower model semantics analysis"
+                                    "syntax tree symbols check guest lower model semantics analysis"
                                             + " simulate generate diagram report brick rt sim world"
                                             + " campaign",
                                     "org.eclipse.jdt",

@@ -31,6 +31,10 @@ class FoldersTest {
     /** Of the tool, what projects beside it may name. */
     private static final List<String> DOORS = List.of("arcomat.brick.api", "arcomat.cli");
 
+    /** The rooms that are seen through the door for guests: {@code guests/api} packs them. */
+    private static final List<String> API =
+            List.of("guest", "check.law", "symbols", "tree", "source", "graph");
+
     /** What a person takes in at a glance. */
     private static final int FILES = 30;
 
@@ -118,13 +122,40 @@ class FoldersTest {
         Set<String> rooms = House.rooms();
         CODE.forEach(
                 (folder, files) -> {
-                    if (Stream.of("src", "benchmarks", "cluster").noneMatch(folder::startsWith)) {
+                    if (Stream.of("src", "benchmarks", "cluster", "guests")
+                            .noneMatch(folder::startsWith)) {
                         assertThat(files.stream().flatMap(file -> imports(file).stream()))
                                 .filteredOn(each -> each.startsWith("arcomat."))
                                 .filteredOn(each -> rooms.contains(each.split("\\.")[1]))
                                 .isSubsetOf(DOORS);
                     }
                 });
+    }
+
+    /** Guests see what {@code arcomat-api} holds, and that needs nothing else of the tool. */
+    @Test
+    void guestsKnowWhatTheirApiHolds() {
+        List<Path> theirs =
+                CODE.values().stream()
+                        .flatMap(List::stream)
+                        .filter(
+                                file ->
+                                        file.startsWith("guests")
+                                                || file.startsWith("src/main")
+                                                        && isOfApi(packageOf(file)))
+                        .toList();
+        assertThat(theirs).anyMatch(file -> file.startsWith("guests"));
+        assertThat(theirs)
+                .allSatisfy(
+                        file ->
+                                assertThat(imports(file))
+                                        .filteredOn(each -> each.startsWith("arcomat."))
+                                        .allMatch(FoldersTest::isOfApi));
+    }
+
+    private static boolean isOfApi(String name) {
+        return !name.startsWith("arcomat.guest.host")
+                && API.stream().anyMatch(room -> (name + ".").startsWith("arcomat." + room + "."));
     }
 
     private static String name(Path file) {

@@ -84,7 +84,7 @@ record CampaignPhrases(List<String> events, List<String> measures) {
 
     /** {@code require}, behind its first word. */
     Demand demand(Words words) throws Unreadable {
-        Word start = words.next("an event, or a number in percent");
+        Word start = words.next("an event, or a number in percent", events);
         if (Character.isDigit(start.text().charAt(0))) {
             words.back();
             double quantile = words.number("percent of the runs", 0.001, 99.999) / 100;

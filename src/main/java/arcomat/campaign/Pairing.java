@@ -5,32 +5,19 @@ import arcomat.campaign.statistics.McNemar;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 
-/**
- * Pairs of runs that differ in what is compared, and in nothing else. What nobody knows of a run
- * with the second word counts against that word; where it is the first one's, the pair says
- * nothing.
- */
+/** Pairs of runs that differ in what is compared, and in nothing else. */
 public final class Pairing {
-    /** So many of either kind are kept, to be looked at. */
-    private static final int KEPT = 20;
-
     private final Optional<Campaign.Comparison> comparison;
-    private final int column;
+    private final EventPairs pairs;
     private @Nullable Row first;
-    private final List<ChangedPairs.Pair> better = new ArrayList<>();
-    private final List<ChangedPairs.Pair> worse = new ArrayList<>();
-    private long pairs;
-    private long betterPairs;
-    private long worsePairs;
-    private final SeedPairs seeds = new SeedPairs();
 
     public Pairing(Campaign campaign) {
         this.comparison = campaign.comparison();
-        this.column = comparison.map(each -> campaign.column(each.event())).orElse(-1);
+        String event = comparison.map(Campaign.Comparison::event).orElse("");
+        int column = comparison.isPresent() ? campaign.column(event) : -1;
+        this.pairs = new EventPairs(event, column, column);
     }
 
     /** The next row. */
@@ -40,45 +27,18 @@ public final class Pairing {
         }
         if (row.trial().number() % 2 == 0) {
             first = row;
-        } else if (first != null
-                && first.answers(column)
-                && row.ending() != Row.Ending.IMPOSSIBLE) {
-            pairs++;
-            boolean before = isGood(first);
-            boolean after = isGood(row);
-            ChangedPairs.Pair pair = new ChangedPairs.Pair(first, row);
-            if (after && !before) {
-                betterPairs++;
-                keep(pair, better);
-                seeds.add(row.trial().seed(), 1);
-            } else if (before && !after) {
-                worsePairs++;
-                keep(pair, worse);
-                seeds.add(row.trial().seed(), -1);
-            }
-        }
-    }
-
-    private static void keep(ChangedPairs.Pair pair, List<ChangedPairs.Pair> kept) {
-        if (kept.size() < KEPT) {
-            kept.add(pair);
+        } else if (first != null) {
+            pairs.see(first, row);
         }
     }
 
     /** Empty where nothing is compared. */
     public Optional<ChangedPairs> changes() {
-        return comparison.map(
-                asked -> new ChangedPairs(pairs, betterPairs, worsePairs, better, worse));
+        return comparison.map(asked -> pairs.changes());
     }
 
-    /** What should happen is the goal; everything else should not. */
-    private boolean isGood(Row row) {
-        boolean wanted = comparison.orElseThrow().event().equals(Quantity.GOAL.word());
-        return row.answers(column) && row.happened(column) == wanted;
-    }
-
-    private String onSeeds(McNemar test) {
-        return test.better() + test.worse() < betterPairs + worsePairs
+    private static String onSeeds(McNemar test, ChangedPairs changes) {
+        return test.better() + test.worse() < changes.better() + changes.worse()
                 ? "; on the whole %,d seeds got better and %,d worse"
                         .formatted(test.better(), test.worse())
                 : "";
@@ -89,20 +49,23 @@ public final class Pairing {
     }
 
     private Judgement judge(Campaign.Comparison asked) {
-        McNemar test = seeds.test();
-        double error = 1 - asked.confidence();
-        Decision decision = Decision.UNDECIDED;
-        String word = "no difference is shown";
-        if (test.worsening() <= error) {
-            decision = Decision.FAILS;
-            word = "the new one is worse";
-        } else if (test.improvement() <= error) {
-            decision = Decision.HOLDS;
-            word = "the new one is better";
-        }
+        McNemar test = pairs.test();
+        ChangedPairs changes = pairs.changes();
+        Decision decision = test.decision(1 - asked.confidence());
+        String word =
+                switch (decision) {
+                    case HOLDS -> "the new one is better";
+                    case FAILS -> "the new one is worse";
+                    case UNDECIDED -> "no difference is shown";
+                };
         String because =
                 "%s: of %,d pairs %,d got better and %,d worse%s"
-                        .formatted(word, pairs, betterPairs, worsePairs, onSeeds(test));
+                        .formatted(
+                                word,
+                                changes.pairs(),
+                                changes.better(),
+                                changes.worse(),
+                                onSeeds(test, changes));
         String subject =
                 "%s by %s at %s"
                         .formatted(

@@ -8,7 +8,7 @@ import arcomat.campaign.statistics.McNemar;
  * do not differ, it is as likely to say the one as the other, so that McNemar's test goes on as it
  * is.
  */
-final class SeedPairs {
+public final class SeedPairs {
     private long seed;
     private long balance;
     private long better;
@@ -19,7 +19,7 @@ final class SeedPairs {
      *
      * @param change 1 if it got better, -1 if worse
      */
-    void add(long seed, int change) {
+    public void add(long seed, int change) {
         if (seed != this.seed) {
             better += balance > 0 ? 1 : 0;
             worse += balance < 0 ? 1 : 0;
@@ -30,7 +30,7 @@ final class SeedPairs {
     }
 
     /** Of all seeds so far. */
-    McNemar test() {
+    public McNemar test() {
         return new McNemar(better + (balance > 0 ? 1 : 0), worse + (balance < 0 ? 1 : 0));
     }
 }

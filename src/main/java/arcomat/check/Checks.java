@@ -1,22 +1,13 @@
 package arcomat.check;
 
-import arcomat.check.behaviour.automaton.AutomatonLaws;
-import arcomat.check.behaviour.expression.ExpressionLaws;
-import arcomat.check.behaviour.item.ItemLaws;
-import arcomat.check.behaviour.total.TotalLaws;
-import arcomat.check.diagrams.DiagramLaws;
+import arcomat.check.guest.GuestLaws;
+import arcomat.check.guest.GuestReview;
 import arcomat.check.law.Law;
+import arcomat.check.law.Law.Needs;
 import arcomat.check.law.Profile;
 import arcomat.check.law.Suppressions;
 import arcomat.check.law.Suppressions.Suppression;
-import arcomat.check.naming.NamingLaws;
-import arcomat.check.refinement.RefinementLaws;
-import arcomat.check.stereotypes.StereotypeLaws;
 import arcomat.check.stereotypes.SuppressionUsed;
-import arcomat.check.structure.component.ComponentLaws;
-import arcomat.check.structure.connector.ConnectorLaws;
-import arcomat.check.structure.reference.ReferenceLaws;
-import arcomat.check.tests.TestLaws;
 import arcomat.check.walk.Listeners;
 import arcomat.check.walk.Walk;
 import arcomat.source.Diagnostic;
@@ -26,6 +17,7 @@ import arcomat.symbols.names.Outline;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -38,36 +30,22 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collector;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The list of all context conditions, and the one way to run them. */
+/** The one way to ask the laws of a {@link LawBook}. */
 public final class Checks {
-    /** All of them, by the folders in which their checks lie. */
-    public static final List<Law> LAWS =
-            Stream.of(
-                            ComponentLaws.LAWS,
-                            ConnectorLaws.LAWS,
-                            ReferenceLaws.LAWS,
-                            NamingLaws.LAWS,
-                            AutomatonLaws.LAWS,
-                            ExpressionLaws.LAWS,
-                            ItemLaws.LAWS,
-                            TotalLaws.LAWS,
-                            RefinementLaws.LAWS,
-                            StereotypeLaws.all(() -> Checks.LAWS),
-                            DiagramLaws.LAWS,
-                            TestLaws.LAWS)
-                    .flatMap(List::stream)
-                    .toList();
-
     /** With fewer definitions one thread is done before a second one has started. */
     private static final int WORTH_A_SECOND_THREAD = 200;
 
+    /** Laws look at a file in milliseconds; what takes longer than this does not end. */
+    private static final Duration GUESTS_LIMIT = Duration.ofSeconds(60);
+
     private Checks() {}
 
-    /** The findings about all files of a workspace, ordered, each once. */
+    /** What the tool's own laws find in all files of a workspace, ordered, each once. */
     public static List<Diagnostic> run(Workspace workspace, Profile profile) {
-        return review(workspace, profile, unit -> true, () -> {}).findings();
+        return review(LawBook.OWN, workspace, profile, unit -> true, () -> {}).findings();
     }
 
     /**
@@ -77,27 +55,48 @@ public final class Checks {
      * @param goOn asked before each step; it may throw what ends the work
      */
     public static Review review(
-            Workspace workspace, Profile profile, Predicate<Unit> wanted, Runnable goOn) {
+            LawBook book,
+            Workspace workspace,
+            Profile profile,
+            Predicate<Unit> wanted,
+            Runnable goOn) {
         List<Consumer<Walk>> steps = Walk.steps(workspace, wanted);
         Stream<Consumer<Walk>> stream =
                 steps.size() > WORTH_A_SECOND_THREAD ? steps.parallelStream() : steps.stream();
         Walk walk =
                 stream.collect(
                         Collector.of(
-                                () -> new Walk(workspace, profile, new Listeners(LAWS, profile)),
+                                () ->
+                                        new Walk(
+                                                workspace,
+                                                profile,
+                                                new Listeners(book.own(), profile)),
                                 (each, step) -> {
                                     goOn.run();
                                     step.accept(each);
                                 },
                                 Walk::join));
-        List<Diagnostic> found =
-                walk.findings().stream().flatMap(each -> each.diagnostics().stream()).toList();
+        List<Diagnostic> found = new ArrayList<>();
+        walk.findings().forEach(each -> found.addAll(each.diagnostics()));
+        if (!book.guests().isEmpty()) {
+            ForeignText foreign = ForeignText.in(workspace);
+            found.replaceAll(foreign::withoutRepair);
+        }
+        List<Law> asked = new ArrayList<>(book.own());
+        for (GuestLaws guest : book.guests()) {
+            GuestReview.Outcome outcome =
+                    new GuestReview(guest, GUESTS_LIMIT).run(workspace, profile, wanted, goOn);
+            found.addAll(outcome.findings());
+            if (outcome.whole()) {
+                asked.addAll(guest.laws());
+            }
+        }
         Suppressions suppressions = walk.suppressions();
         Set<Suppression> used = new HashSet<>();
         found.forEach(finding -> used.addAll(suppressions.covering(finding)));
         List<Diagnostic> all = new ArrayList<>(found);
         if (workspace.isComplete()) {
-            all.addAll(SuppressionUsed.unused(suppressions, used, LAWS, profile).diagnostics());
+            all.addAll(SuppressionUsed.unused(suppressions, used, asked, profile).diagnostics());
         }
         return sort(all, suppressions, profile);
     }
@@ -112,6 +111,7 @@ public final class Checks {
      * @param others outlines of files that are not looked at
      */
     public static Review reviewRecovered(
+            LawBook book,
             List<Recovered> files,
             List<Unit> units,
             Set<String> brokenFiles,
@@ -122,15 +122,22 @@ public final class Checks {
         }
         List<Unit> parts = files.stream().map(Recovered::unit).toList();
         Workspace around = Workspace.around(parts, units, brokenFiles, others);
+        Map<String, Needs> needs =
+                book.all().stream().collect(Collectors.toMap(Law::code, Law::needs));
         Map<String, SureFindings> sureOf = new HashMap<>();
-        files.forEach(each -> sureOf.put(each.unit().file().path(), new SureFindings(each)));
+        files.forEach(each -> sureOf.put(each.unit().file().path(), new SureFindings(each, needs)));
         Predicate<Diagnostic> sure =
                 finding ->
                         Optional.ofNullable(sureOf.get(finding.span().file().path()))
                                 .filter(those -> those.contains(finding))
                                 .isPresent();
         Review all =
-                review(around, profile, unit -> sureOf.containsKey(unit.file().path()), () -> {});
+                review(
+                        book,
+                        around,
+                        profile,
+                        unit -> sureOf.containsKey(unit.file().path()),
+                        () -> {});
         return new Review(
                 all.findings().stream().filter(sure).toList(),
                 all.suppressed().stream().filter(each -> sure.test(each.finding())).toList());

@@ -1,6 +1,5 @@
 package arcomat.check;
 
-import arcomat.check.law.Law;
 import arcomat.check.law.Law.Needs;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
@@ -32,13 +31,15 @@ final class SureFindings {
                     "automaton|class|component|enum|extends|import|in|input|out|output|port|ports"
                             + "|state|table|var|variable");
 
-    private static final Map<String, Needs> NEEDS =
-            Checks.LAWS.stream().collect(Collectors.toMap(Law::code, Law::needs));
-
     private final Set<String> missing = new HashSet<>();
     private final boolean namesAreKnown;
+    private final Map<String, Needs> needs;
 
-    SureFindings(Recovered recovered) {
+    /**
+     * @param needs of the laws, by their codes
+     */
+    SureFindings(Recovered recovered, Map<String, Needs> needs) {
+        this.needs = needs;
         recovered.gaps().forEach(gap -> missing.addAll(words(gap)));
         namesAreKnown = recovered.gaps().stream().noneMatch(SureFindings::mayDeclare);
     }
@@ -52,7 +53,7 @@ final class SureFindings {
 
     /** Whether nothing that a gap may hold is at the bottom of a finding. */
     boolean contains(Diagnostic finding) {
-        return switch (NEEDS.getOrDefault(finding.code(), Needs.ALL)) {
+        return switch (needs.getOrDefault(finding.code(), Needs.ALL)) {
             case NOTHING ->
                     namesAreKnown || words(finding.span()).stream().noneMatch(missing::contains);
             case NAMES -> namesAreKnown;

@@ -21,20 +21,24 @@ import java.util.Map;
  * @param classes by qualified name of the class of a class diagram
  * @param programs qualified name of the main class, by qualified name of the component that it runs
  * @param automata those of all components that have one, in the order of the files
+ * @param wholes the components that programs run
  */
 public record CodeLayout(
         Map<String, Place> components,
         Map<String, MessageClass> classes,
         Map<String, String> programs,
-        List<AutomatonLines> automata) {
+        List<AutomatonLines> automata,
+        List<Component> wholes) {
     /** Of nothing. */
-    static final CodeLayout NONE = new CodeLayout(Map.of(), Map.of(), Map.of(), List.of());
+    static final CodeLayout NONE =
+            new CodeLayout(Map.of(), Map.of(), Map.of(), List.of(), List.of());
 
     public CodeLayout {
         components = Map.copyOf(components);
         classes = Map.copyOf(classes);
         programs = Map.copyOf(programs);
         automata = List.copyOf(automata);
+        wholes = List.copyOf(wholes);
     }
 
     /**
@@ -98,7 +102,7 @@ public record CodeLayout(
         for (Component main : mains) {
             programs.put(main.qualifiedName(), program.nameOfProgram(main).qualified());
         }
-        return new CodeLayout(places, classes, programs, automata);
+        return new CodeLayout(places, classes, programs, automata, mains);
     }
 
     /** Of all components that have one, once their files are written. */

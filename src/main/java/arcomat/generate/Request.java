@@ -48,11 +48,14 @@ public record Request(
 
     /** Every component of a model, and a program for each that is to be deployed. */
     public static Request all(Model model, Choosing choosing) {
+        return all(model.components(), choosing);
+    }
+
+    /** Components with all their parts, and a program for each that is to be deployed. */
+    public static Request all(List<Component> components, Choosing choosing) {
         List<Component> programs =
-                model.components().stream()
-                        .filter(c -> c.deploy() && c.parameters().isEmpty())
-                        .toList();
-        return new Request(model.components(), programs, choosing, Map.of(), List.of(), false);
+                components.stream().filter(c -> c.deploy() && c.parameters().isEmpty()).toList();
+        return new Request(components, programs, choosing, Map.of(), List.of(), false);
     }
 
     /** One component with its parts and a program for it. */

@@ -8,7 +8,8 @@ import java.util.stream.Collectors;
 /**
  * A finding about a text.
  *
- * @param code stable name of the law that is broken, {@code ARC} and four digits
+ * @param code stable name of the law that is broken, {@code ARC} and four digits; other capital
+ *     letters in those of guests
  * @param message names the thing and says what to do
  * @param related other places that explain the finding, in reading order
  * @param fix edits that mend it, only where they are safe

@@ -92,6 +92,11 @@ public record Kind(
             return named.text();
         }
 
+        /** Whether it is described by a program: code of somebody's, to be run on the PC. */
+        public boolean isProgram() {
+            return device().endsWith(".java");
+        }
+
         /** A finding about it, with the values of the parameters by which the world names it. */
         public Diagnostic error(String code, String message) {
             return named.error(code, message);

@@ -107,7 +107,10 @@ public final class Words {
         return next(expected, List.of());
     }
 
-    private Word next(String expected, List<String> choices) throws Unreadable {
+    /**
+     * @param choices words of which one may be the next; others may be, too
+     */
+    public Word next(String expected, List<String> choices) throws Unreadable {
         if (!hasNext()) {
             Span last = words.get(words.size() - 1).place();
             Span end = last.file().span(last.end(), last.end());

@@ -18,6 +18,9 @@ import java.util.Optional;
 
 /** Reads worlds: one thing per line. docs/world.md lists what there is. */
 public final class WorldParser {
+    /** What a line begins with that leaves something to whoever runs a world. */
+    public static final String PARAMETER = Parameters.STATEMENT;
+
     private static final String UNKNOWN = "ARC1123";
     private static final List<String> STATEMENTS =
             List.of(

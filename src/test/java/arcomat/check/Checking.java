@@ -17,7 +17,7 @@ final class Checking {
     private Checking() {}
 
     static Review review(List<SourceFile> files, Profile profile) {
-        return Checks.review(workspace(files), profile, unit -> true, () -> {});
+        return Checks.review(LawBook.OWN, workspace(files), profile, unit -> true, () -> {});
     }
 
     static Workspace workspace(List<SourceFile> files) {

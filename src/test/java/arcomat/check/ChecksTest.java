@@ -43,7 +43,7 @@ class ChecksTest {
     private static final Path ACTUAL = Path.of("build/check-actual");
 
     private static final Set<String> ABOUT_ALL_FILES =
-            Checks.LAWS.stream()
+            LawBook.OWN.own().stream()
                     .filter(law -> law.check() instanceof Check.OnWorkspace)
                     .map(Law::code)
                     .collect(Collectors.toSet());
@@ -65,7 +65,8 @@ class ChecksTest {
         DataFile data = DataFile.read(path);
         Workspace workspace = Checking.workspace(data.files());
         for (Unit unit : workspace.units()) {
-            Review review = Checks.review(workspace, data.profile(), unit::equals, () -> {});
+            Review review =
+                    Checks.review(LawBook.OWN, workspace, data.profile(), unit::equals, () -> {});
             assertThat(review.findings())
                     .filteredOn(finding -> !ABOUT_ALL_FILES.contains(finding.code()))
                     .allMatch(finding -> finding.span().file() == unit.file());
@@ -134,7 +135,7 @@ class ChecksTest {
 
     @TestFactory
     Stream<DynamicTest> everyCheckIsComplete() {
-        return Checks.LAWS.stream()
+        return LawBook.OWN.own().stream()
                 .map(law -> DynamicTest.dynamicTest(name(law), () -> checkComplete(law)));
     }
 
@@ -168,7 +169,7 @@ class ChecksTest {
     @Test
     void everyCheckIsListedOnceInAlphabeticalOrder() throws IOException {
         Map<String, List<String>> listed =
-                Checks.LAWS.stream()
+                LawBook.OWN.own().stream()
                         .map(law -> law.check().getClass())
                         .collect(
                                 groupingBy(
@@ -210,14 +211,14 @@ class ChecksTest {
 
     @Test
     void everyCodeIsUsedOnce() {
-        assertThat(Checks.LAWS.stream().map(Law::code))
+        assertThat(LawBook.OWN.own().stream().map(Law::code))
                 .doesNotHaveDuplicates()
                 .allMatch(code -> code.matches("ARC\\d{4}"));
     }
 
     @Test
     void everyDataFileBelongsToACheck() {
-        List<String> names = Checks.LAWS.stream().map(ChecksTest::name).toList();
+        List<String> names = LawBook.OWN.own().stream().map(ChecksTest::name).toList();
         assertThat(dataFiles(DATA)).allMatch(path -> names.contains(owner(path)));
     }
 

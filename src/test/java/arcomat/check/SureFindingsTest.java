@@ -101,10 +101,19 @@ class SureFindingsTest {
             }
         }
         return Checks.review(
-                        Workspace.of(units, broken), Profile.EXECUTABLE, unit -> true, () -> {})
+                        LawBook.OWN,
+                        Workspace.of(units, broken),
+                        Profile.EXECUTABLE,
+                        unit -> true,
+                        () -> {})
                 .and(
                         Checks.reviewRecovered(
-                                recovered, units, broken, List.of(), Profile.EXECUTABLE));
+                                LawBook.OWN,
+                                recovered,
+                                units,
+                                broken,
+                                List.of(),
+                                Profile.EXECUTABLE));
     }
 
     /** Else the law above would hold for a tool that tells nothing. */

@@ -24,7 +24,7 @@ import java.util.List;
  *
  * Lines {@code < text} before a command are typed by the user; what is asked comes on standard
  * error. The exit status follows the output of each command; {@code cat FILE} and {@code ls FOLDER}
- * look at what commands left behind.
+ * look at what commands left behind, {@code javac FILES -d FOLDER} compiles guests.
  */
 record Transcript(List<Section> sections) {
     /**

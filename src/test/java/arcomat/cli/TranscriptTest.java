@@ -21,6 +21,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 
 /**
@@ -100,9 +101,28 @@ class TranscriptTest {
         return switch (words.get(0)) {
             case "arcomat" -> arcomat(arguments, typed, directory);
             case "cat" -> Files.readAllLines(directory.resolve(arguments.get(0)));
+            case "javac" -> compile(arguments, directory);
             case "ls" -> Folders.list(directory.resolve(arguments.get(0)));
             default -> throw new IllegalArgumentException(command);
         };
+    }
+
+    /** Compiles guests, which see what the tool's own tests see: {@code javac FILES -d FOLDER}. */
+    private static List<String> compile(List<String> arguments, Path directory) {
+        StringWriter out = new StringWriter();
+        List<String> all =
+                arguments.stream()
+                        .map(word -> word.startsWith("-") ? word : directory.resolve(word) + "")
+                        .toList();
+        int status =
+                ToolProvider.findFirst("javac")
+                        .orElseThrow()
+                        .run(
+                                new PrintWriter(out),
+                                new PrintWriter(out),
+                                all.toArray(String[]::new));
+        assertThat(status).as(out.toString()).isZero();
+        return List.of();
     }
 
     private static List<String> arcomat(List<String> arguments, String typed, Path directory) {

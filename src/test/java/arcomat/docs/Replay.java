@@ -112,7 +112,9 @@ final class Replay {
                     assertThat(fence.text()).as(where(fence)).contains("arcomat-maven-plugin");
             case "json" -> {
                 new ObjectMapper().readTree(fence.text());
-                assertThat(fence.text()).as(where(fence)).contains("\"mcp\"");
+                assertThat(fence.text())
+                        .as(where(fence))
+                        .containsPattern("\"(mcp|language-server)\"");
             }
             default -> throw new AssertionError(where(fence) + ": nobody checks this block");
         }

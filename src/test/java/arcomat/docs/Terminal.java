@@ -29,7 +29,11 @@ record Terminal(Path directory) {
     Outcome run(String command) {
         List<String> words =
                 Arrays.stream(command.split(" +"))
-                        .map(word -> word.replaceAll("^'(.*)'$", "$1").replace(runtime(), rt()))
+                        .map(
+                                word ->
+                                        word.replaceAll("^'(.*)'$", "$1")
+                                                .replace(runtime(), rt())
+                                                .replace(tool(), classes()))
                         .toList();
         try {
             return switch (words.get(0)) {
@@ -87,10 +91,23 @@ record Terminal(Path directory) {
         }
     }
 
-    /** The classes that the jar of an installation holds. */
+    private static String tool() {
+        return runtime().replace("arcomat-runtime", "arcomat");
+    }
+
+    /** The classes that the runtime's jar of an installation holds. */
     private static String rt() {
+        return classesWith(Cycle.class);
+    }
+
+    /** Those of the tool's own. */
+    private static String classes() {
+        return classesWith(Embedded.class);
+    }
+
+    private static String classesWith(Class<?> one) {
         try {
-            return Path.of(Cycle.class.getProtectionDomain().getCodeSource().getLocation().toURI())
+            return Path.of(one.getProtectionDomain().getCodeSource().getLocation().toURI())
                     .toString();
         } catch (URISyntaxException e) {
             throw new AssertionError(e);

@@ -107,7 +107,9 @@ final class EditorScript {
         for (CompletionItem each : proposals(path, position)) {
             if (each.getLabel().equals(label)) {
                 client.apply(path, List.of(each.getTextEdit().getLeft()));
-                client.apply(path, each.getAdditionalTextEdits());
+                if (each.getAdditionalTextEdits() != null) {
+                    client.apply(path, each.getAdditionalTextEdits());
+                }
                 return;
             }
         }

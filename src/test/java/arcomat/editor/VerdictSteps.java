@@ -24,6 +24,7 @@ import java.util.stream.Collectors;
 final class VerdictSteps {
     private static final Duration PATIENCE = Duration.ofSeconds(120);
     private static final String UNDER_WAY = "being asked";
+    private static final String RUN = "run";
     private static final long MILLISECONDS_BETWEEN = 20;
     private static final Pattern TITLE = Pattern.compile("<title>(.*?)</title>", Pattern.DOTALL);
 
@@ -39,6 +40,7 @@ final class VerdictSteps {
             case "verdicts" -> Optional.of(written(settled(path)));
             case "verdicts-at-once" -> Optional.of(written(lenses(path)));
             case "look" -> Optional.of(look(path, EditorScript.position(place)));
+            case "run" -> Optional.of(runAgain(path, EditorScript.position(place)));
             default -> Optional.empty();
         };
     }
@@ -85,11 +87,28 @@ final class VerdictSteps {
     private String look(String path, Position position) throws IOException {
         StringBuilder seen = new StringBuilder();
         for (CodeLens lens : settled(path)) {
-            if (lens.getRange().getStart().getLine() == position.getLine()) {
+            if (isAt(lens, position) && !title(lens).equals(RUN)) {
                 seen.append(opened(lens.getCommand()));
             }
         }
         return seen.toString();
+    }
+
+    private static boolean isAt(CodeLens lens, Position position) {
+        return lens.getRange().getStart().getLine() == position.getLine();
+    }
+
+    /** Asks again, and tells what stands in the text at once, and what in the end. */
+    private String runAgain(String path, Position position) {
+        for (CodeLens lens : settled(path)) {
+            if (isAt(lens, position) && title(lens).equals(RUN)) {
+                var asked =
+                        new ExecuteCommandParams(
+                                lens.getCommand().getCommand(), lens.getCommand().getArguments());
+                EditorClient.get(client.server().getWorkspaceService().executeCommand(asked));
+            }
+        }
+        return written(lenses(path)) + written(settled(path));
     }
 
     private String opened(Command command) throws IOException {

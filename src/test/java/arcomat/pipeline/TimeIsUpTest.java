@@ -8,6 +8,7 @@ import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
+import arcomat.check.LawBook;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
@@ -77,7 +78,13 @@ class TimeIsUpTest {
     void checkingAndLowering() {
         Workspace workspace = check(Progress.NONE).workspace();
         assertThatThrownBy(
-                        () -> Checks.review(workspace, Profile.REQUIREMENTS, unit -> true, NEVER))
+                        () ->
+                                Checks.review(
+                                        LawBook.OWN,
+                                        workspace,
+                                        Profile.REQUIREMENTS,
+                                        unit -> true,
+                                        NEVER))
                 .isInstanceOf(TimeIsUp.class);
         assertThatThrownBy(() -> Lowering.lower(workspace, NEVER)).isInstanceOf(TimeIsUp.class);
     }

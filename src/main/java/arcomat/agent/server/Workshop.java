@@ -109,7 +109,7 @@ public final class Workshop implements AutoCloseable {
     private Outcome work(Tool tool, JsonObject arguments, CompletableFuture<Outcome> outcome) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
         Progress limited = new LimitedProgress(session.progress(), end);
-        Session own = new Session(session.names(), new CallProgress(limited, outcome::isDone));
+        Session own = session.with(new CallProgress(limited, outcome::isDone));
         try {
             ToolArguments told = ToolArguments.of(arguments, tool.parameters());
             return new Outcome(tool.answer(new ToolCall(told, own, roots, seconds)), false);

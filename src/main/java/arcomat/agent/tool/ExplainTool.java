@@ -1,5 +1,6 @@
 package arcomat.agent.tool;
 
+import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Explanations;
 
@@ -29,11 +30,12 @@ final class ExplainTool implements Tool {
     @Override
     public ToolAnswer answer(ToolCall call) throws WrongUse {
         Optional<String> code = call.arguments().text(CODE);
-        return new ToolAnswer(code.isPresent() ? page(code.get()) : titles());
+        return new ToolAnswer(
+                code.isPresent() ? page(code.get(), call.session()) : titles(call.session()));
     }
 
-    private static String page(String code) throws WrongUse {
-        return Explanations.page(code)
+    private static String page(String code, Session session) throws WrongUse {
+        return Explanations.page(code, session)
                 .orElseThrow(
                         () ->
                                 new WrongUse(
@@ -42,9 +44,10 @@ final class ExplainTool implements Tool {
                                         code));
     }
 
-    private static String titles() {
+    private static String titles(Session session) {
         StringBuilder text = new StringBuilder();
-        Explanations.titles().forEach((code, title) -> text.append(code + "  " + title + "\n"));
+        Explanations.titles(session)
+                .forEach((code, title) -> text.append(code + "  " + title + "\n"));
         return text.toString();
     }
 }

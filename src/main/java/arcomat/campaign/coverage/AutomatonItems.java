@@ -3,8 +3,7 @@ package arcomat.campaign.coverage;
 import java.util.List;
 
 /**
- * What there is to cover in the automaton of a component. Parts of one component count as one, in
- * whatever robots they are.
+ * What there is to cover in the automaton of a component, in whatever parts of robots it is.
  *
  * @param component qualified name
  * @param file of the model, as messages show it

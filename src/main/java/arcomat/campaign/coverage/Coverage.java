@@ -17,24 +17,32 @@ public record Coverage(long runs, List<OfAutomaton> automata, List<String> jars)
     }
 
     /**
-     * Of one automaton.
+     * Of one automaton, whichever part came to it.
      *
      * @param transitions in how many runs each was taken, in the order of the items
      * @param states how many runs were in each, likewise
+     * @param parts the same for each part that has it
      */
-    public record OfAutomaton(AutomatonItems items, List<Long> transitions, List<Long> states) {
+    public record OfAutomaton(
+            AutomatonItems items, List<Long> transitions, List<Long> states, List<OfPart> parts) {
         public OfAutomaton {
             transitions = List.copyOf(transitions);
             states = List.copyOf(states);
+            parts = List.copyOf(parts);
         }
 
         private OfAutomaton and(OfAutomaton further) {
             return new OfAutomaton(
-                    items, sums(transitions, further.transitions), sums(states, further.states));
+                    items,
+                    sums(transitions, further.transitions),
+                    sums(states, further.states),
+                    both(parts, further.parts));
         }
 
-        private static List<Long> sums(List<Long> one, List<Long> other) {
-            return IntStream.range(0, one.size()).mapToObj(i -> one.get(i) + other.get(i)).toList();
+        private static List<OfPart> both(List<OfPart> some, List<OfPart> further) {
+            return IntStream.range(0, some.size())
+                    .mapToObj(i -> some.get(i).and(further.get(i)))
+                    .toList();
         }
 
         /** How many transitions were taken in some run. */
@@ -46,10 +54,46 @@ public record Coverage(long runs, List<OfAutomaton> automata, List<String> jars)
         public int visited() {
             return covered(states);
         }
+    }
 
-        private static int covered(List<Long> runs) {
-            return (int) runs.stream().filter(each -> each > 0).count();
+    /**
+     * Of one part of a robot.
+     *
+     * @param number of its first transition
+     * @param transitions in how many runs it has taken each, in the order of the items
+     * @param states in how many runs it was in each, likewise
+     */
+    public record OfPart(PartItems part, int number, List<Long> transitions, List<Long> states) {
+        public OfPart {
+            transitions = List.copyOf(transitions);
+            states = List.copyOf(states);
         }
+
+        private OfPart and(OfPart further) {
+            return new OfPart(
+                    part,
+                    number,
+                    sums(transitions, further.transitions),
+                    sums(states, further.states));
+        }
+
+        /** How many transitions it has taken in some run. */
+        public int taken() {
+            return covered(transitions);
+        }
+
+        /** How many states it was in in some run. */
+        public int visited() {
+            return covered(states);
+        }
+    }
+
+    private static List<Long> sums(List<Long> one, List<Long> other) {
+        return IntStream.range(0, one.size()).mapToObj(i -> one.get(i) + other.get(i)).toList();
+    }
+
+    private static int covered(List<Long> runs) {
+        return (int) runs.stream().filter(each -> each > 0).count();
     }
 
     /**
@@ -87,5 +131,15 @@ public record Coverage(long runs, List<OfAutomaton> automata, List<String> jars)
 
     private int sum(ToIntFunction<OfAutomaton> count) {
         return automata.stream().mapToInt(count).sum();
+    }
+
+    /** Whether several parts have one automaton. */
+    public boolean isShared() {
+        return automata.stream().anyMatch(each -> each.parts().size() > 1);
+    }
+
+    /** The parts of all robots, automaton by automaton. */
+    public List<OfPart> parts() {
+        return automata.stream().flatMap(each -> each.parts().stream()).toList();
     }
 }

@@ -32,6 +32,18 @@ public record McNemar(long better, long worse) {
         return chance().atLeast(better);
     }
 
+    /**
+     * Whether the second variant is better or worse.
+     *
+     * @param error how often each of the two may be said at most where it is not so
+     */
+    public Decision decision(double error) {
+        if (worsening() <= error) {
+            return Decision.FAILS;
+        }
+        return improvement() <= error ? Decision.HOLDS : Decision.UNDECIDED;
+    }
+
     private Binomial chance() {
         return new Binomial(better + worse, EITHER);
     }

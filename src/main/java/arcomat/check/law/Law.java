@@ -7,7 +7,8 @@ import java.util.Optional;
 /**
  * A context condition: its name, how bad it is to break it, and who looks whether it is broken.
  *
- * @param code {@code ARC} and four digits, used by one law only
+ * @param code {@code ARC} and four digits, used by one law only; other capital letters in those of
+ *     guests
  * @param inRequirements empty where a requirements model may break the law
  * @param needs what has to be known of a file, so that a finding would not vanish with its gaps
  */

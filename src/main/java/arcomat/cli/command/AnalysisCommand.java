@@ -61,7 +61,7 @@ public abstract class AnalysisCommand<T> extends LimitedCommand {
     private int refuse(CheckResult check, boolean json) {
         if (json) {
             print(
-                    CheckRendering.refused("", check, console())
+                    CheckRendering.refused("", check, machineFormats())
                             .text(ReportFormat.json, console().style()));
         } else {
             reportErrors(check);

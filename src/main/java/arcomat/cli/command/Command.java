@@ -2,6 +2,7 @@ package arcomat.cli.command;
 
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
+import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.ProgressLines;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
@@ -9,12 +10,15 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.guest.WelcomeGuests;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.ToIntFunction;
 
@@ -36,14 +40,42 @@ public abstract class Command implements Callable<Integer> {
                             + " terminal.")
     private boolean progress;
 
+    @Option(
+            names = "--with",
+            paramLabel = "GUEST",
+            description =
+                    "A jar, or a folder of classes, that brings laws of its own; may be repeated.")
+    private List<String> guests = new ArrayList<>();
+
+    @SuppressWarnings("NullAway.Init") // there is none before the command is called
+    private Session session;
+
     @Override
     public final Integer call() throws WrongUse {
         if (!progress && !console().watched()) {
-            return run(Session.in(console().directory(), limited(Progress.NONE)));
+            return run(limited(Progress.NONE));
         }
         try (ProgressLines lines = new ProgressLines(console().err())) {
-            return run(Session.in(console().directory(), limited(lines)));
+            return run(limited(lines));
         }
+    }
+
+    private int run(Progress limited) throws WrongUse {
+        session = Session.in(console().directory(), limited).with(libraries());
+        if (!guests.isEmpty()) {
+            session = session.with(session.run(new WelcomeGuests(guests)));
+        }
+        return run(session);
+    }
+
+    /** Model roots of others that the models may refer to. */
+    protected List<String> libraries() {
+        return List.of();
+    }
+
+    /** Results for programs that show every kind of finding in one way. */
+    protected final MachineFormats machineFormats() {
+        return MachineFormats.of(console(), session);
     }
 
     /** Work that ends when it has to. */

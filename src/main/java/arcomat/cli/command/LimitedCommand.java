@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.LastMoment;
 import arcomat.pipeline.LimitedProgress;
@@ -8,8 +9,10 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
 
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
+import java.util.List;
 import java.util.Optional;
 
 /** A command that may search for long, and gives up where it is told to. */
@@ -26,8 +29,15 @@ public abstract class LimitedCommand extends Command {
             description = "Give up after that many states; default: what memory holds.")
     private Long maxStates;
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     /** A command is made to be run at once. */
     private final long begun = System.nanoTime();
+
+    @Override
+    protected final List<String> libraries() {
+        return library.folders();
+    }
 
     /** What comes before the search is over by then, too. */
     @Override

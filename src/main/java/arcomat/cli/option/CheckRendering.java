@@ -1,7 +1,6 @@
 package arcomat.cli.option;
 
 import arcomat.cli.option.ReportFormat.Rendering;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
@@ -29,11 +28,12 @@ public record CheckRendering(
         implements Rendering {
 
     /** Of models that have errors, for a command that cannot go on. */
-    public static CheckRendering refused(String command, CheckResult check, Console console) {
+    public static CheckRendering refused(
+            String command, CheckResult check, MachineFormats machine) {
         CheckReport report =
                 new CheckReport(
                         check.paths(), check.findings(), check.suppressed(), Optional.empty());
-        return new CheckRendering(command, report, false, MachineFormats.of(console));
+        return new CheckRendering(command, report, false, machine);
     }
 
     /** With the findings about files that a command went on without. */

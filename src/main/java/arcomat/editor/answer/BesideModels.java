@@ -1,12 +1,12 @@
 package arcomat.editor.answer;
 
+import arcomat.editor.answer.completion.LineCompletion;
 import arcomat.editor.desk.Desk;
 import arcomat.editor.text.Positions;
 import arcomat.pipeline.beside.BesideText;
 import arcomat.source.SourceFile;
 
 import org.eclipse.lsp4j.CompletionItem;
-import org.eclipse.lsp4j.CompletionItemKind;
 import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
@@ -54,16 +54,8 @@ public record BesideModels(BesideText text, SourceFile file) {
                 link.target().map(Positions::range).orElse(BEGINNING));
     }
 
-    /** Words that may stand at the cursor. */
+    /** What may be written at the cursor. */
     public List<CompletionItem> completion(Position position) {
-        return text.choices(Positions.offset(file, position)).stream()
-                .map(BesideModels::keyword)
-                .toList();
-    }
-
-    private static CompletionItem keyword(String word) {
-        CompletionItem item = new CompletionItem(word);
-        item.setKind(CompletionItemKind.Keyword);
-        return item;
+        return LineCompletion.at(text, file, Positions.offset(file, position));
     }
 }

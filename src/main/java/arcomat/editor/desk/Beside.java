@@ -45,6 +45,11 @@ record Beside(Function<Path, Optional<SourceFile>> screen, Collection<OpenModels
                                         : Optional.empty());
     }
 
+    @Override
+    public Collection<OpenModels> all() {
+        return models;
+    }
+
     /** Tests lie beside models in a build, and both belong to a folder above. */
     @Override
     public Optional<OpenModels> models(Path root) {

@@ -7,6 +7,7 @@ import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.FirstLook;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
 import arcomat.symbols.names.Lazy;
@@ -19,8 +20,10 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -35,24 +38,48 @@ public final class Desk {
     private static final Set<String> MADE = Set.of("build", "node_modules", "target");
 
     private final Set<Path> folders = new HashSet<>();
+
+    /** Those of the folders that nobody has looked into yet, in that order. */
+    private final Set<Path> unread = new LinkedHashSet<>();
+
+    /** Files in these that are on the screen already. */
+    private final Set<Path> early = new LinkedHashSet<>();
+
     private final Map<Path, SourceFile> screen = new HashMap<>();
     private final Roots roots = new Roots();
     private final Lazy<Optional<Path>> library = new Lazy<>(Desk::writtenLibrary);
 
-    /** Takes in all models of a folder. */
+    /** Takes in all models of a folder, when somebody needs them. */
     public void add(Path folder) {
         if (folders.add(folder)) {
-            take(folder);
+            unread.add(folder);
         }
     }
 
-    private void take(Path folder) {
+    /** Reads what has been added. */
+    private void read() {
+        if (unread.isEmpty()) {
+            return;
+        }
+        List<Path> added = List.copyOf(unread);
+        List<Path> open = List.copyOf(early);
+        unread.clear();
+        early.clear();
+        added.forEach(folder -> take(folder, open));
+        open.forEach(file -> write(file, Objects.requireNonNull(screen.get(file)).text()));
+    }
+
+    /**
+     * @param early files to be read though they are on the screen
+     */
+    private void take(Path folder, List<Path> early) {
         FileFinder finder = new FileFinder(new PathNames(folder));
         finder.find(folder.toString());
         read(
                 finder.files().stream()
                         .map(FileFinder.Found::path)
-                        .filter(file -> !isMade(folder, file) && !screen.containsKey(file))
+                        .filter(file -> !isMade(folder, file))
+                        .filter(file -> !screen.containsKey(file) || early.contains(file))
                         .toList());
     }
 
@@ -74,6 +101,7 @@ public final class Desk {
 
     /** Forgets a folder and the models in it, but for those that are open. */
     public void remove(Path folder) {
+        read();
         folders.remove(folder);
         roots.remove(
                 roots.files().stream()
@@ -84,6 +112,12 @@ public final class Desk {
 
     /** From now on the text on the screen counts, not that on the disk. */
     public void open(Path file, String text) {
+        if (unread.stream().anyMatch(file::startsWith)) {
+            early.add(file);
+            screen.put(file, new SourceFile(file.toString(), text));
+            return;
+        }
+        read();
         boolean alone = roots.of(file).isEmpty() && folders.stream().noneMatch(file::startsWith);
         write(file, text);
         if (alone && FileFinder.isModelFile(file)) {
@@ -97,8 +131,18 @@ public final class Desk {
      */
     private void addNeighbours(Path root, Path file) {
         if (!root.equals(file.getParent()) && root.getParent() != null) {
-            take(root);
+            take(root, List.of());
         }
+    }
+
+    /**
+     * What is to be said of a file on the screen while others have still to be read; nothing where
+     * all have been, or more is to be known first.
+     */
+    public Optional<FirstLook> firstLook(Path file) {
+        return early.contains(file) && FileFinder.isModelFile(file)
+                ? onScreen(file).flatMap(text -> roots.firstLook(file, text.text()))
+                : Optional.empty();
     }
 
     private void write(Path file, String text) {
@@ -111,6 +155,7 @@ public final class Desk {
 
     /** Edits a text on the screen, one change after the other. */
     public void change(Path file, List<TextDocumentContentChangeEvent> changes) {
+        read();
         SourceFile source = screen.get(file);
         if (source == null) {
             return;
@@ -133,12 +178,14 @@ public final class Desk {
 
     /** From now on what is on the disk counts. */
     public void close(Path file) {
+        read();
         screen.remove(file);
         changedOnDisk(List.of(file));
     }
 
     /** Something happened to files; what is on the screen stays what it is. */
     public void changedOnDisk(Collection<Path> files) {
+        read();
         List<Path> others =
                 files.stream()
                         .filter(file -> !screen.containsKey(file) && FileFinder.isModelFile(file))
@@ -149,6 +196,7 @@ public final class Desk {
 
     /** What a question about a file is about; nothing where it is no model that could be read. */
     public Optional<View> view(Path file) {
+        read();
         return roots.of(file).flatMap(models -> view(models, Roots.path(models, file)));
     }
 
@@ -217,6 +265,7 @@ public final class Desk {
 
     /** All models, by their roots. */
     public Collection<OpenModels> models() {
+        read();
         return roots.all();
     }
 
@@ -226,6 +275,22 @@ public final class Desk {
      * @param goOn asked now and then; it may throw what ends the work until the next time
      */
     public void check(Runnable goOn) {
+        read();
         roots.check(goOn);
+    }
+
+    /** The same of what is on the screen; the rest stays due. */
+    public void checkScreen(Runnable goOn) {
+        read();
+        roots.check(screen.keySet(), goOn);
+    }
+
+    /**
+     * Checks some of what is due, where something is.
+     *
+     * @return whether something was
+     */
+    public boolean checkSome(Runnable goOn) {
+        return roots.checkSome(goOn);
     }
 }

@@ -3,6 +3,7 @@ package arcomat.editor.desk;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.FirstLook;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -22,6 +23,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Models by the model root in which each lies. Those of different roots do not see each other,
@@ -34,6 +36,9 @@ final class Roots {
     /** Where the Gradle plugin looks for models and for tests. */
     private static final List<Path> SOURCES =
             List.of(Path.of("src", "main", "arc"), Path.of("src", "test", "arc"));
+
+    /** Files; what is done before somebody types is not done again, and two threads have enough. */
+    private static final int AT_ONCE = 250;
 
     private final Map<Path, OpenModels> roots = new TreeMap<>();
 
@@ -65,6 +70,43 @@ final class Roots {
     /** Checks each root that has changed; whoever is stopped has kept what was done before. */
     void check(Runnable goOn) {
         roots.replaceAll((root, models) -> models.check(goOn));
+    }
+
+    /** The same of some files only. */
+    void check(Set<Path> files, Runnable goOn) {
+        Map<Path, Set<String>> wanted = new HashMap<>();
+        for (Path file : files) {
+            of(file).ifPresent(
+                            models ->
+                                    wanted.computeIfAbsent(models.root(), any -> new HashSet<>())
+                                            .add(path(models, file)));
+        }
+        roots.replaceAll(
+                (root, models) ->
+                        models.check(wanted.getOrDefault(root, Set.of())::contains, goOn));
+    }
+
+    /** Checks some of the files that are due in a root, and says whether there were any. */
+    boolean checkSome(Runnable goOn) {
+        for (Map.Entry<Path, OpenModels> each : roots.entrySet()) {
+            Set<String> some =
+                    each.getValue().due().stream().limit(AT_ONCE).collect(Collectors.toSet());
+            if (!some.isEmpty()) {
+                each.setValue(each.getValue().check(some::contains, goOn));
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** See {@link FirstLook}; nothing where files around have to say to which root one belongs. */
+    Optional<FirstLook> firstLook(Path file, String text) {
+        String packageName = packageName(text);
+        if (packageName.isEmpty()) {
+            return Optional.empty();
+        }
+        Path home = home(file, packageName);
+        return FirstLook.at(home, new SourceFile(path(home, file), text));
     }
 
     /**
@@ -133,7 +175,11 @@ final class Roots {
 
     /** Of a text that need not parse. */
     private static String packageName(FileReader.Read read) {
-        Matcher matcher = PACKAGE.matcher(read.file().map(SourceFile::text).orElse(""));
+        return packageName(read.file().map(SourceFile::text).orElse(""));
+    }
+
+    private static String packageName(String text) {
+        Matcher matcher = PACKAGE.matcher(text);
         return matcher.find() ? matcher.group(1) : "";
     }
 

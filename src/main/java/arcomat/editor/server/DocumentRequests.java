@@ -28,9 +28,12 @@ import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -38,22 +41,34 @@ import java.util.function.Consumer;
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
     private final VerdictRequests verdicts;
+    private final BiConsumer<Desk, Path> opened;
 
+    /**
+     * @param opened told after a file was opened
+     */
     DocumentRequests(
             Worker worker,
             BooleanSupplier movesFiles,
             Consumer<String> warnings,
-            VerdictRequests verdicts) {
+            VerdictRequests verdicts,
+            BiConsumer<Desk, Path> opened) {
         super(worker, movesFiles, warnings);
         this.worker = worker;
         this.verdicts = verdicts;
+        this.opened = opened;
     }
 
     @Override
     public void didOpen(DidOpenTextDocumentParams params) {
         var document = params.getTextDocument();
         Positions.path(document.getUri())
-                .ifPresent(file -> worker.edit(desk -> desk.open(file, document.getText())));
+                .ifPresent(
+                        file ->
+                                worker.edit(
+                                        desk -> {
+                                            desk.open(file, document.getText());
+                                            opened.accept(desk, file);
+                                        }));
     }
 
     @Override
@@ -77,9 +92,11 @@ final class DocumentRequests extends NameRequests {
     public CompletableFuture<List<Either<Command, CodeAction>>> codeAction(
             CodeActionParams params) {
         List<String> kinds = Objects.requireNonNullElse(params.getContext().getOnly(), List.of());
+        Optional<Path> file = Positions.path(params.getTextDocument().getUri());
         return worker.askChecked(
+                file,
                 (desk, canceled) ->
-                        Positions.path(params.getTextDocument().getUri())
+                        file
                                 .flatMap(desk::view)
                                 .map(view -> Fixes.at(view, params.getRange(), kinds))
                                 .orElse(List.of())

@@ -43,6 +43,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.stream.Collectors;
 
 /** The server as the protocol sees it: what it can do, and how it begins and ends. */
 public final class EditorServer implements LanguageServer {
@@ -134,14 +135,32 @@ public final class EditorServer implements LanguageServer {
         }
     }
 
-    /** Sends what is new to the editor, and that nothing is found where something was. */
+    /** Who opens a file does not wait until all others have been read. */
+    private void publishFirst(Desk desk, Path file) {
+        desk.firstLook(file)
+                .ifPresent(
+                        look ->
+                                publish(
+                                        file.toUri().toString(),
+                                        Diagnostics.of(
+                                                look.findings(),
+                                                each -> address(desk, look.models(), each))));
+    }
+
+    /**
+     * Sends what is new to the editor, and that nothing is found where something was. Of files that
+     * are to be checked again it still shows what was found last.
+     */
     private void publish(Desk desk) {
         Set<String> gone = new HashSet<>(published.keySet());
+        if (desk.models().stream().anyMatch(models -> !models.due().isEmpty())) {
+            gone.retainAll(addresses(desk.onScreen()));
+        }
         for (OpenModels models : desk.models()) {
             for (String path : models.checkedPaths()) {
                 // The file system is asked for each address.
                 boolean found = !models.findings(path).isEmpty();
-                if (found && desk.isShown(models, path)) {
+                if (found && !models.due().contains(path) && desk.isShown(models, path)) {
                     String address = address(desk, models, path);
                     gone.remove(address);
                     publish(
@@ -161,6 +180,10 @@ public final class EditorServer implements LanguageServer {
         }
         gone.forEach(address -> publish(address, List.of()));
         verdicts.changed(desk);
+    }
+
+    private static Set<String> addresses(Set<Path> files) {
+        return files.stream().map(file -> file.toUri().toString()).collect(Collectors.toSet());
     }
 
     private void refreshLenses() {
@@ -214,7 +237,11 @@ public final class EditorServer implements LanguageServer {
     @Override
     public TextDocumentService getTextDocumentService() {
         return new DocumentRequests(
-                worker, () -> abilities.movesFiles(), this::warn, verdictRequests);
+                worker,
+                () -> abilities.movesFiles(),
+                this::warn,
+                verdictRequests,
+                this::publishFirst);
     }
 
     @Override

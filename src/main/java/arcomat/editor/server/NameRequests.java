@@ -145,6 +145,7 @@ abstract class NameRequests extends FactRequests {
     @Override
     public CompletableFuture<WorkspaceEdit> rename(RenameParams params) {
         return worker.askChecked(
+                Optional.empty(),
                 (desk, canceled) -> {
                     Renames.Answer answer =
                             answer(

@@ -31,6 +31,8 @@ import java.util.function.Consumer;
 
 /** What editors ask about promises, tests and automata. */
 final class VerdictRequests {
+    private static final List<String> COMMANDS = List.of(VerdictLenses.SHOW, VerdictLenses.RUN);
+
     private final Worker worker;
     private final Verdicts verdicts;
     private final Consumer<Path> viewer;
@@ -51,22 +53,39 @@ final class VerdictRequests {
 
     static void announce(ServerCapabilities can) {
         can.setCodeLensProvider(new CodeLensOptions(false));
-        can.setExecuteCommandProvider(new ExecuteCommandOptions(List.of(VerdictLenses.SHOW)));
+        can.setExecuteCommandProvider(new ExecuteCommandOptions(COMMANDS));
     }
 
     List<CodeLens> lenses(View view) {
         return VerdictLenses.of(view, verdicts);
     }
 
-    /** Shows what a lens stands for, and answers where it is. */
+    /** Does what a lens offers. */
     CompletableFuture<Object> execute(ExecuteCommandParams params) {
         List<String> words = words(params);
-        if (!params.getCommand().equals(VerdictLenses.SHOW) || words.size() != 3) {
+        if (!COMMANDS.contains(params.getCommand()) || words.size() != 3) {
             throw failure(
                     ResponseErrorCode.InvalidParams,
-                    "there is one command, %s, with address, kind and name"
-                            .formatted(VerdictLenses.SHOW));
+                    "there are the commands %s, with address, kind and name"
+                            .formatted(String.join(" and ", COMMANDS)));
         }
+        return params.getCommand().equals(VerdictLenses.RUN) ? askAgain(words) : show(words);
+    }
+
+    /** What comes of it is seen in the text. */
+    private CompletableFuture<Object> askAgain(List<String> words) {
+        return worker.ask(
+                (desk, canceled) -> {
+                    verdicts.askAgain(
+                            Positions.path(words.get(0))
+                                    .flatMap(desk::view)
+                                    .orElseThrow(VerdictRequests::outdated));
+                    return "";
+                });
+    }
+
+    /** Shows what a lens stands for, and answers where it is. */
+    private CompletableFuture<Object> show(List<String> words) {
         return worker.ask(
                         (desk, canceled) ->
                                 Positions.path(words.get(0))

@@ -5,7 +5,9 @@ import arcomat.editor.desk.Desk;
 import org.eclipse.lsp4j.jsonrpc.CancelChecker;
 import org.eclipse.lsp4j.jsonrpc.CompletableFutures;
 
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
@@ -20,8 +22,11 @@ import java.util.function.Consumer;
  * check is broken off where something else comes, and begun again after that.
  */
 final class Worker {
-    /** Who types on and on sees findings nevertheless. */
+    /** Who types on and on sees findings nevertheless, in what is on the screen. */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(500);
+
+    /** And in the other files, some of them at a time. */
+    private static final Duration LONGEST_WAIT_OF_OTHERS = Duration.ofSeconds(5);
 
     private final Desk desk = new Desk();
     private final Consumer<Desk> checked;
@@ -34,9 +39,13 @@ final class Worker {
                     new LinkedBlockingQueue<>(),
                     new DeepThreads("desk"));
 
+    /** Of what is on the screen. */
     private boolean needsCheck;
+
+    private boolean othersNeedCheck;
     private boolean checkIsQueued;
     private long neededSince;
+    private long othersNeededSince;
 
     /** Ends a check because something else has come. */
     private static final class BrokenOff extends RuntimeException {
@@ -59,12 +68,20 @@ final class Worker {
         executor.execute(
                 () -> {
                     edit.accept(desk);
-                    if (!needsCheck) {
-                        needsCheck = true;
-                        neededSince = System.nanoTime();
-                    }
+                    needCheck();
                     checkLater();
                 });
+    }
+
+    private void needCheck() {
+        if (!needsCheck) {
+            needsCheck = true;
+            neededSince = System.nanoTime();
+        }
+        if (!othersNeedCheck) {
+            othersNeedCheck = true;
+            othersNeededSince = System.nanoTime();
+        }
     }
 
     /** There is one check in the queue at most, so that two do not wait for one another. */
@@ -90,11 +107,20 @@ final class Worker {
                 });
     }
 
-    /** Answers a question about what is found in the texts as they are now. */
-    <T> CompletableFuture<T> askChecked(BiFunction<Desk, CancelChecker, T> question) {
+    /**
+     * Answers a question about what is found in the texts as they are now.
+     *
+     * @param file on which alone the answer depends, where there is one
+     */
+    <T> CompletableFuture<T> askChecked(
+            Optional<Path> file, BiFunction<Desk, CancelChecker, T> question) {
         return ask(
                 (any, canceled) -> {
-                    check(() -> {});
+                    if (file.flatMap(desk::onScreen).isPresent()) {
+                        checkScreen(() -> {});
+                    } else {
+                        checkAll();
+                    }
                     return question.apply(any, canceled);
                 });
     }
@@ -102,28 +128,57 @@ final class Worker {
     private void checkIfIdle() {
         checkIsQueued = false;
         try {
-            breakOffForOthers();
-            check(this::breakOffForOthers);
+            breakOffForScreen();
+            checkScreen(this::breakOffForScreen);
+            checkOthers();
         } catch (BrokenOff others) {
             checkLater();
         }
     }
 
-    private boolean hasOtherWork() {
-        boolean waited = System.nanoTime() - neededSince > LONGEST_WAIT.toNanos();
-        return needsCheck && !waited && !executor.getQueue().isEmpty();
+    private void breakOffForScreen() {
+        if (needsCheck) {
+            breakOff(neededSince, LONGEST_WAIT);
+        }
     }
 
     private void breakOffForOthers() {
-        if (hasOtherWork()) {
+        breakOff(othersNeededSince, LONGEST_WAIT_OF_OTHERS);
+    }
+
+    private void breakOff(long since, Duration longest) {
+        boolean waited = System.nanoTime() - since > longest.toNanos();
+        if (!waited && !executor.getQueue().isEmpty()) {
             throw new BrokenOff();
         }
     }
 
-    private void check(Runnable goOn) {
+    private void checkScreen(Runnable goOn) {
         if (needsCheck) {
-            desk.check(goOn);
+            desk.checkScreen(goOn);
             needsCheck = false;
+            checked.accept(desk);
+        }
+    }
+
+    /** What was done stays done, whoever breaks in. */
+    private void checkOthers() {
+        while (othersNeedCheck) {
+            breakOffForOthers();
+            if (desk.checkSome(this::breakOffForOthers)) {
+                othersNeededSince = System.nanoTime();
+            } else {
+                othersNeedCheck = false;
+                checked.accept(desk);
+            }
+        }
+    }
+
+    private void checkAll() {
+        if (needsCheck || othersNeedCheck) {
+            desk.check(() -> {});
+            needsCheck = false;
+            othersNeedCheck = false;
             checked.accept(desk);
         }
     }

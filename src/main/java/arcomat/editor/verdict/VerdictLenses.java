@@ -18,6 +18,9 @@ public final class VerdictLenses {
     /** The command that shows all that there is to be said; with file, kind and name. */
     public static final String SHOW = "arcomat.show";
 
+    /** The command that asks a test again, whatever is known; with the same words. */
+    public static final String RUN = "arcomat.runTest";
+
     /** A lens that does nothing has a command without a name. */
     private static final String NOTHING = "";
 
@@ -53,33 +56,49 @@ public final class VerdictLenses {
                 .findFirst();
     }
 
-    private Optional<CodeLens> at(VerdictPlace place) {
-        return command(place).map(each -> new CodeLens(Positions.range(place.span()), each, null));
+    private List<CodeLens> at(VerdictPlace place) {
+        return commands(place).stream()
+                .map(each -> new CodeLens(Positions.range(place.span()), each, null))
+                .toList();
     }
 
-    private Optional<Command> command(VerdictPlace place) {
+    private List<Command> commands(VerdictPlace place) {
         Optional<TextVerdict> verdict = known.flatMap(each -> each.at(place));
         if (known.filter(each -> each.holdsFor(view.models().edition())).isPresent()) {
-            return verdict.map(this::current);
+            return verdict.map(this::current).orElse(List.of());
         }
         return verdict.map(each -> "was: " + each.text() + "; " + state("being asked again"))
                 .or(() -> first(place))
-                .map(text -> new Command(text, NOTHING));
+                .map(text -> List.of(new Command(text, NOTHING)))
+                .orElse(List.of());
     }
 
-    private Command current(TextVerdict verdict) {
+    /** A page of a test is worth a look whatever came of it: it begins where something differs. */
+    private List<Command> current(TextVerdict verdict) {
         VerdictPlace place = verdict.place();
+        Command said =
+                command(
+                        verdict.text() + (verdict.tone() == Tone.GOOD ? "" : ": show"),
+                        SHOW,
+                        place);
+        return place.kind() == VerdictPlace.Kind.TEST
+                ? List.of(said, command("run", RUN, place), command("debug", SHOW, place))
+                : List.of(said);
+    }
+
+    private Command command(String title, String command, VerdictPlace place) {
         return new Command(
-                verdict.text() + (verdict.tone() == Tone.GOOD ? "" : ": show"),
-                SHOW,
+                title,
+                command,
                 List.of(view.address(view.file().path()), place.kind().name(), place.name()));
     }
 
-    /** Whether an automaton is a requirement is not known before it was asked about. */
+    /** Whether somebody asks something of parts is not known before it was asked about. */
     private Optional<String> first(VerdictPlace place) {
-        return place.kind() == VerdictPlace.Kind.REQUIREMENT
-                ? Optional.empty()
-                : Optional.of(state("being asked"));
+        return switch (place.kind()) {
+            case REQUIREMENT, INHERITED -> Optional.empty();
+            default -> Optional.of(state("being asked"));
+        };
     }
 
     private String state(String asked) {

@@ -60,6 +60,13 @@ public final class Verdicts {
         return Optional.ofNullable(known.get(file));
     }
 
+    /** Asks about a file again, whatever is known, before all others. */
+    public synchronized void askAgain(View view) {
+        known.remove(view.place());
+        look(view);
+        lastChange = System.nanoTime() - quiet.toNanos();
+    }
+
     /** Something on the desk has changed. */
     public synchronized void changed(Desk desk) {
         lookedAt.removeIf(file -> desk.onScreen(file).isEmpty());

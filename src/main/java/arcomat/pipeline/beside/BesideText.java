@@ -17,9 +17,22 @@ public interface BesideText {
     List<Link> links();
 
     /**
-     * The words of which one may stand at a place; none where it is a name, a number, or anything.
+     * What may stand at a place: words of the language, and names that are known; nothing where it
+     * is a number, or a name that is to be made up.
      */
-    List<String> choices(int offset);
+    List<Choice> choices(int offset);
+
+    /**
+     * A word that may stand at a place.
+     *
+     * @param what it is, where it is a name; empty for words of the language
+     */
+    record Choice(String word, String what) {
+        /** Words of the language. */
+        public static List<Choice> words(List<String> words) {
+            return words.stream().map(word -> new Choice(word, "")).toList();
+        }
+    }
 
     /**
      * From a word to what it stands for.
@@ -35,5 +48,11 @@ public interface BesideText {
             start--;
         }
         return new SourceFile(text.path(), text.text().substring(0, start));
+    }
+
+    /** The words of the last line of a text. */
+    static List<String> lastLine(SourceFile text) {
+        String line = text.line(text.lineCount());
+        return line.isBlank() ? List.of() : List.of(line.strip().split("\\s+"));
     }
 }

@@ -4,6 +4,7 @@ import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
 
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.Optional;
 
 /** What a text beside models may refer to. */
@@ -13,4 +14,7 @@ public interface TextsAround {
 
     /** The models of a model root, if it is known here. */
     Optional<OpenModels> models(Path root);
+
+    /** The models of all model roots that are known here. */
+    Collection<OpenModels> all();
 }

@@ -1,6 +1,7 @@
 package arcomat.pipeline.brick;
 
 import arcomat.pipeline.beside.BesideText;
+import arcomat.sim.script.ScriptWords;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
@@ -18,9 +19,9 @@ public record ScriptLines(SourceFile text) implements BesideText {
         return List.of();
     }
 
-    /** It begins with a time, and what may follow depends on what is plugged in. */
     @Override
-    public List<String> choices(int offset) {
-        return List.of();
+    public List<Choice> choices(int offset) {
+        SourceFile before = BesideText.before(text, offset);
+        return Choice.words(ScriptWords.after(before.line(before.lineCount())));
     }
 }

@@ -71,7 +71,7 @@ public record CampaignLines(SourceFile text, Path place, TextsAround around) imp
     }
 
     @Override
-    public List<String> choices(int offset) {
-        return CampaignParser.choicesAfter(BesideText.before(text, offset));
+    public List<Choice> choices(int offset) {
+        return new CampaignChoices(text, place, around).at(offset);
     }
 }

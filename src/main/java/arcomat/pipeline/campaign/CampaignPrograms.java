@@ -7,6 +7,7 @@ import arcomat.campaign.Variation.Range;
 import arcomat.generate.CodeLayout;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.campaign.watch.CampaignCode;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.world.PrepareWorld;
@@ -38,6 +39,10 @@ final class CampaignPrograms {
     private static final String UNKNOWN = "ARC1133";
     private static final String ENDLESS = "ARC1134";
     static final String NO_WORLD = "ARC1135";
+
+    private static final String STRANGER =
+            "a campaign runs no device in Java: who makes its runs may be another machine, whose"
+                    + " owner has not read it; 'arcomat world --run-devices' runs this world once";
 
     /** Each is a world to be read; making a program takes a second. */
     private static final int MOST = 10_000;
@@ -177,6 +182,9 @@ final class CampaignPrograms {
         Kind.Program program = robot.kind().program();
         all.put(program.key(), program);
         robots.computeIfAbsent(robot.name(), name -> new TreeSet<>()).add(program.key());
+        robot.kind().described().stream()
+                .filter(Kind.Described::isProgram)
+                .forEach(each -> findings.add(each.error(PluggedDevices.NO_DEVICE, STRANGER)));
     }
 
     /** A number that is a program's argument names another program between its ends. */

@@ -2,11 +2,15 @@ package arcomat.pipeline.campaign;
 
 import arcomat.campaign.coverage.AutomatonItems;
 import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ItemNumbers;
+import arcomat.campaign.coverage.PartItems;
 import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Automaton;
 import arcomat.pipeline.campaign.engine.ItemProbes;
+import arcomat.pipeline.campaign.engine.ProgramItems;
 import arcomat.pipeline.campaign.watch.CampaignCode;
-import arcomat.sim.load.LineProbe;
+import arcomat.sim.load.NotedLines;
 import arcomat.source.Span;
 import arcomat.world.Kind;
 
@@ -16,37 +20,42 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 
 /**
  * What the runs of a campaign may cover, and where their programs come to it. An automaton that
- * several programs have is covered by whichever comes to it.
+ * several parts have is covered by whichever comes to it, and by each for itself.
  */
-record CoveragePlan(CoverageItems items, ItemProbes probes) {
+final class CoveragePlan {
+    private final Map<String, CodeLayout> layouts;
+    private final Map<AutomatonItems, Integer> places = new LinkedHashMap<>();
+    private final Map<PartItems, List<Found>> parts = new LinkedHashMap<>();
+
+    private CoveragePlan(Map<String, CodeLayout> layouts) {
+        this.layouts = new TreeMap<>(layouts);
+    }
+
+    /** Where a program has a part; a robot may have several programs that have it. */
+    private record Found(String program, String fields) {}
+
+    /** What came of it. */
+    record Result(CoverageItems items, ItemProbes probes) {}
+
     /**
      * @param code the programs of the campaign
      */
-    static CoveragePlan of(CampaignCode code) {
-        Map<String, List<AutomatonLines>> programs = new TreeMap<>();
-        code.layouts().forEach((program, layout) -> programs.put(program, layout.automata()));
-        Map<AutomatonItems, Integer> places = new LinkedHashMap<>();
-        programs.values()
-                .forEach(
-                        all -> all.forEach(each -> places.putIfAbsent(items(each), places.size())));
+    static Result of(CampaignCode code) {
+        CoveragePlan plan = new CoveragePlan(code.layouts());
+        plan.findAutomata();
+        code.robots().forEach(plan::findParts);
         CoverageItems items =
-                new CoverageItems(List.copyOf(places.keySet()), jars(code.named().values()));
-        Map<String, List<LineProbe>> probes = new TreeMap<>();
-        programs.forEach(
-                (program, all) -> {
-                    List<LineProbe> own = new ArrayList<>();
-                    for (AutomatonLines each : all) {
-                        int place = Objects.requireNonNull(places.get(items(each)));
-                        own.addAll(probes(each, place, items));
-                    }
-                    probes.put(program, own);
-                });
-        return new CoveragePlan(items, new ItemProbes(items.transitions(), probes));
+                new CoverageItems(
+                        List.copyOf(plan.places.keySet()),
+                        List.copyOf(plan.parts.keySet()),
+                        jars(code.named().values()));
+        return new Result(items, plan.probes(items));
     }
 
     private static List<String> jars(Collection<Kind.Program> named) {
@@ -56,6 +65,81 @@ record CoveragePlan(CoverageItems items, ItemProbes probes) {
                 .distinct()
                 .sorted()
                 .toList();
+    }
+
+    private void findAutomata() {
+        for (CodeLayout layout : layouts.values()) {
+            layout.automata().forEach(each -> places.putIfAbsent(items(each), places.size()));
+        }
+    }
+
+    private void findParts(String robot, Set<String> programs) {
+        for (String program : programs) {
+            CodeLayout layout = layouts.get(program);
+            for (PartPlace place : layout == null ? List.<PartPlace>of() : PartPlace.all(layout)) {
+                for (AutomatonLines each : layout.automata()) {
+                    if (each.component().qualifiedName().equals(place.component())) {
+                        PartItems part = new PartItems(robot, place.path(), place(each));
+                        parts.computeIfAbsent(part, p -> new ArrayList<>())
+                                .add(new Found(program, place.fields()));
+                    }
+                }
+            }
+        }
+    }
+
+    private int place(AutomatonLines lines) {
+        return Objects.requireNonNull(places.get(items(lines)));
+    }
+
+    private ItemProbes probes(CoverageItems items) {
+        Map<String, List<ProgramItems.OfPart>> counted = counted(items);
+        Map<String, ProgramItems> programs = new TreeMap<>();
+        layouts.forEach(
+                (program, layout) ->
+                        programs.put(
+                                program,
+                                new ProgramItems(
+                                        PartPlace.whole(layout),
+                                        layout.automata().stream()
+                                                .map(each -> ofClass(each, items))
+                                                .toList(),
+                                        counted.getOrDefault(program, List.of()))));
+        return new ItemProbes(items.transitions(), programs);
+    }
+
+    /** The parts that are counted by themselves, by program. */
+    private Map<String, List<ProgramItems.OfPart>> counted(CoverageItems items) {
+        Map<String, List<ProgramItems.OfPart>> counted = new TreeMap<>();
+        List<ItemNumbers> numbers = items.ofParts();
+        for (int i = 0; i < numbers.size(); i++) {
+            PartItems part = items.parts().get(i);
+            int first = numbers.get(i).transition();
+            if (items.isShared(part)) {
+                for (Found each : Objects.requireNonNull(parts.get(part))) {
+                    counted.computeIfAbsent(each.program(), p -> new ArrayList<>())
+                            .add(new ProgramItems.OfPart(part.robot(), first, each.fields()));
+                }
+            }
+        }
+        return counted;
+    }
+
+    private ProgramItems.OfClass ofClass(AutomatonLines lines, CoverageItems items) {
+        ItemNumbers numbers = items.ofAutomaton(place(lines));
+        int transitions = lines.automaton().transitions().size();
+        List<Integer> noted = new ArrayList<>();
+        for (int i = 0; i < transitions; i++) {
+            noted.add(lines.lines().transitions().getOrDefault(i, 0));
+        }
+        for (int i = 0; i < lines.automaton().initials().size(); i++) {
+            noted.add(lines.lines().initials().getOrDefault(i, 0));
+        }
+        return new ProgramItems.OfClass(
+                numbers.transition(),
+                numbers.initial(),
+                transitions,
+                new NotedLines(lines.className(), noted));
     }
 
     private static AutomatonItems items(AutomatonLines lines) {
@@ -89,26 +173,5 @@ record CoveragePlan(CoverageItems items, ItemProbes probes) {
 
     private static String text(Span span) {
         return span.text().replaceAll("\\s+", " ").replaceFirst(" ?;$", "");
-    }
-
-    private static List<LineProbe> probes(AutomatonLines lines, int place, CoverageItems items) {
-        List<LineProbe> probes = new ArrayList<>();
-        new TreeMap<>(lines.lines().transitions())
-                .forEach(
-                        (index, line) ->
-                                probes.add(
-                                        new LineProbe(
-                                                lines.className(),
-                                                line,
-                                                items.transition(place, index))));
-        new TreeMap<>(lines.lines().initials())
-                .forEach(
-                        (index, line) ->
-                                probes.add(
-                                        new LineProbe(
-                                                lines.className(),
-                                                line,
-                                                items.initial(place, index))));
-        return probes;
     }
 }

@@ -18,6 +18,7 @@ import arcomat.report.campaign.CampaignReport;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -72,7 +73,8 @@ public record MakeCampaign(
                     further.worst(),
                     further.rare(),
                     planned,
-                    table);
+                    table,
+                    List.of());
         }
     }
 
@@ -97,7 +99,7 @@ public record MakeCampaign(
                     .run(session);
             CampaignResult result = judged(judge, rows);
             Overview overview = Overview.of(ready.campaign(), rows::rows);
-            folder.keep(rows);
+            folder.keep(rows, new AskedCampaign(hash, ready.freight().campaign()));
             return new Made(
                     result, overview, count.coverage(), rows.count(), trials.count(), rows.hash());
         } catch (EngineFailure e) {

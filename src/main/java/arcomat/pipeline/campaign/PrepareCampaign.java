@@ -87,7 +87,7 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
-        CoveragePlan coverage = CoveragePlan.of(watching.code());
+        CoveragePlan.Result coverage = CoveragePlan.of(watching.code());
         Freight freight =
                 new Freight(
                         version,

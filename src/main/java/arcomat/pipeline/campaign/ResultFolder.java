@@ -5,6 +5,7 @@ import arcomat.campaign.Row;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.parquet.ParquetTable;
+import arcomat.pipeline.file.AtomicFile;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -88,6 +89,9 @@ final class ResultFolder implements AutoCloseable {
     static Path part(String written, String hash, PathNames names) throws IOException, WrongUse {
         Path folder = names.resolve(written);
         Path part = folder.resolve(PART);
+        if (!Files.exists(part) && isTableOf(hash, folder)) {
+            return folder.resolve(TABLE);
+        }
         if (!Files.exists(part)) {
             throw new WrongUse(
                     Files.exists(folder.resolve(UNFINISHED))
@@ -105,11 +109,26 @@ final class ResultFolder implements AutoCloseable {
         return part;
     }
 
-    /** The campaign is over: its table takes the place of an older one. */
-    void keep(RowFile rows) throws IOException {
+    /** A finished table serves as a part that has all runs. */
+    private static boolean isTableOf(String hash, Path folder) throws IOException {
+        Path asked = folder.resolve(AskedCampaign.FILE);
+        return Files.exists(folder.resolve(TABLE))
+                && Files.exists(asked)
+                && AskedCampaign.of(Files.readString(asked))
+                        .filter(each -> each.hash().equals(hash))
+                        .isPresent();
+    }
+
+    /**
+     * The campaign is over: its table takes the place of an older one.
+     *
+     * @param asked what the campaign asks, for who finds its table later
+     */
+    void keep(RowFile rows, AskedCampaign asked) throws IOException {
         if (written.isEmpty()) {
             return;
         }
+        AtomicFile.write(folder.resolve(AskedCampaign.FILE), asked.content());
         Path fresh = folder.resolve(TABLE + ".new");
         try (var writer = Files.newBufferedWriter(fresh);
                 Stream<String> lines = rows.table()) {

@@ -12,13 +12,14 @@ import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Unit;
 
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
@@ -41,7 +42,7 @@ public record CheckedModels(
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
         Workspace workspace = workspace(loaded, session.progress());
-        Review review = review(loaded, workspace, profile, session.progress());
+        Review review = review(loaded, workspace, profile, session);
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -56,28 +57,29 @@ public record CheckedModels(
     public static CheckedModels checkToRun(
             List<String> paths,
             Asked asked,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         return checkToRun(ModelLoader.load(paths, session), asked, executable, session);
     }
 
-    private static CheckedModels checkToRun(
+    /** As above, of models that somebody else has read. */
+    public static CheckedModels checkToRun(
             LoadedModels loaded,
             Asked asked,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
-        CheckedModels all = checkToRun(loaded, executable, session.progress());
+        CheckedModels all = checkWhole(loaded, executable, session);
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
     /** As above, for questions about models: no code is made of them. */
     public static CheckedModels checkToExamine(List<String> paths, Asked asked, Session session) {
-        return checkToRun(paths, asked, models -> List.of(), session);
+        return checkToRun(paths, asked, (models, files) -> List.of(), session);
     }
 
     /** As above, of models that somebody else has read. */
     static CheckedModels checkToExamine(LoadedModels loaded, Asked asked, Session session) {
-        return checkToRun(loaded, asked, models -> List.of(), session);
+        return checkToRun(loaded, asked, (models, files) -> List.of(), session);
     }
 
     /**
@@ -106,16 +108,16 @@ public record CheckedModels(
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
-        CheckedModels all = checkToRun(loaded, models -> List.of(), session.progress());
+        CheckedModels all = checkWhole(loaded, (models, files) -> List.of(), session);
         return all.withoutBroken().orElse(all);
     }
 
-    private static CheckedModels checkToRun(
+    private static CheckedModels checkWhole(
             LoadedModels loaded,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
-            Progress progress) {
-        Workspace workspace = workspace(loaded, progress);
-        Review review = review(loaded, workspace, Profile.REQUIREMENTS, progress);
+            BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
+            Session session) {
+        Workspace workspace = workspace(loaded, session.progress());
+        Review review = review(loaded, workspace, Profile.REQUIREMENTS, session);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
@@ -124,10 +126,15 @@ public record CheckedModels(
                 .forEach(findings::add);
         List<Suppressed> meant =
                 review.suppressed().stream().filter(each -> !each.finding().isError()).toList();
-        MadeOf code = MadeOf.those(executable.apply(workspace));
+        MadeOf code = MadeOf.those(executable.apply(workspace, loaded));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
-            Checks.review(workspace, Profile.EXECUTABLE, unit -> true, progress::goOn)
+            Checks.review(
+                            session.laws(),
+                            workspace,
+                            Profile.EXECUTABLE,
+                            unit -> true,
+                            session.progress()::goOn)
                     .findings()
                     .stream()
                     .filter(code::contains)
@@ -142,15 +149,60 @@ public record CheckedModels(
     }
 
     private static Review review(
-            LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
-        return Checks.review(workspace, profile, unit -> true, progress::goOn)
+            LoadedModels loaded, Workspace workspace, Profile profile, Session session) {
+        return review(workspace, profile, unit -> true, loaded.libraries(), session)
                 .and(
                         Checks.reviewRecovered(
+                                session.laws(),
                                 loaded.recovered(),
                                 loaded.units(),
                                 loaded.broken(),
                                 List.of(),
                                 profile));
+    }
+
+    /**
+     * Asks the laws about units. Models of libraries are complete where they belong, and what they
+     * are there for is not asked here: they may be requirements wherever they are used.
+     *
+     * @param asked which units are looked at
+     * @param libraries paths of their models
+     */
+    public static Review review(
+            Workspace workspace,
+            Profile profile,
+            Predicate<Unit> asked,
+            Set<String> libraries,
+            Session session) {
+        if (libraries.isEmpty()) {
+            return Checks.review(
+                    session.laws(), workspace, profile, asked, session.progress()::goOn);
+        }
+        Predicate<SourceFile> foreign = file -> libraries.contains(file.path());
+        return only(foreign.negate(), workspace, profile, asked, session)
+                .and(only(foreign, workspace, Profile.REQUIREMENTS, asked, session));
+    }
+
+    /** Laws about all files together find what is wrong with others as well. */
+    private static Review only(
+            Predicate<SourceFile> files,
+            Workspace workspace,
+            Profile profile,
+            Predicate<Unit> asked,
+            Session session) {
+        Predicate<Unit> units = unit -> files.test(unit.file());
+        Review all =
+                Checks.review(
+                        session.laws(),
+                        workspace,
+                        profile,
+                        asked.and(units),
+                        session.progress()::goOn);
+        return new Review(
+                all.findings().stream().filter(each -> files.test(each.span().file())).toList(),
+                all.suppressed().stream()
+                        .filter(each -> files.test(each.finding().span().file()))
+                        .toList());
     }
 
     private static CheckedModels of(

@@ -1,5 +1,9 @@
 package arcomat.pipeline.check;
 
+import arcomat.check.guest.GuestLaws;
+import arcomat.check.law.Law;
+import arcomat.pipeline.Session;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -26,9 +30,17 @@ public final class Explanations {
 
     private Explanations() {}
 
-    /** The page of a code, in Markdown; the code in any case and without {@code ARC} if need be. */
-    public static Optional<String> page(String code) {
+    /**
+     * The page of a code, in Markdown, by the tool or the guest that has it; the code in any case
+     * and without {@code ARC} if need be.
+     */
+    public static Optional<String> page(String code, Session session) {
         String name = code.strip().toUpperCase(Locale.ROOT);
+        return session.laws().page(name).or(() -> own(name));
+    }
+
+    private static Optional<String> own(String code) {
+        String name = code;
         if (name.matches("[0-9]{4}")) {
             name = "ARC" + name;
         }
@@ -44,7 +56,19 @@ public final class Explanations {
         }
     }
 
-    /** Every code with the title of its page. */
+    /** Every code with the title of its page; that of a guest's law may have none. */
+    public static SortedMap<String, String> titles(Session session) {
+        SortedMap<String, String> titles = titles();
+        for (GuestLaws guest : session.laws().guests()) {
+            for (Law law : guest.laws()) {
+                String page = guest.pages().apply(law.code()).orElse("");
+                titles.put(law.code(), title(page.lines().findFirst().orElse("")));
+            }
+        }
+        return titles;
+    }
+
+    /** Those of the tool. */
     public static SortedMap<String, String> titles() {
         URL folder = Explanations.class.getResource(FOLDER);
         try {
@@ -68,9 +92,13 @@ public final class Explanations {
             for (Path page : (Iterable<Path>) pages::iterator) {
                 String code = page.getFileName().toString().replace(".md", "");
                 String heading = Files.readString(page).lines().findFirst().orElse("");
-                titles.put(code, heading.replaceFirst("^# *(ARC[0-9]{4})? *", ""));
+                titles.put(code, title(heading));
             }
         }
         return titles;
+    }
+
+    private static String title(String heading) {
+        return heading.replaceFirst("^# *([A-Z]+[0-9]{4})? *", "");
     }
 }

@@ -21,7 +21,8 @@ import java.util.stream.Collectors;
  * @param recovered what could be read of files that do not parse
  * @param broken paths of the files that could not be read or parsed
  * @param findings about reading and parsing
- * @param needed paths of the files that were read only because others refer to them
+ * @param needed paths of the files that were read only because others may refer to them
+ * @param libraries those of them that lie in libraries of the session
  */
 public record LoadedModels(
         List<String> named,
@@ -30,7 +31,8 @@ public record LoadedModels(
         List<Recovered> recovered,
         Set<String> broken,
         List<Diagnostic> findings,
-        Set<String> needed) {
+        Set<String> needed,
+        Set<String> libraries) {
     public LoadedModels {
         named = List.copyOf(named);
         sources = List.copyOf(sources);
@@ -39,6 +41,7 @@ public record LoadedModels(
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);
         needed = Set.copyOf(needed);
+        libraries = Set.copyOf(libraries);
     }
 
     /** The same but for the stream tests, as if there were none. */
@@ -50,7 +53,8 @@ public record LoadedModels(
                 recovered.stream().filter(each -> !isTest(each.unit().file().path())).toList(),
                 broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
                 findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),
-                needed);
+                needed,
+                libraries);
     }
 
     /** The same but for the trees of files that need others; what could be read is still there. */
@@ -62,7 +66,8 @@ public record LoadedModels(
                 recovered,
                 Set.of(),
                 findings,
-                needed);
+                needed,
+                libraries);
     }
 
     private static boolean isTest(String path) {
@@ -81,6 +86,11 @@ public record LoadedModels(
     /** Whether a file is one of those asked about, and not only needed by them. */
     public boolean isNamedByUser(String path) {
         return !needed.contains(path);
+    }
+
+    /** Whether a file belongs to somebody else, who has made code of it. */
+    public boolean isOfLibrary(String path) {
+        return libraries.contains(path);
     }
 
     /** Warnings about files that the user did not name are somebody else's business. */

@@ -18,7 +18,14 @@ public record LoweredModels(CheckedModels checked, Model model) {
         return checked.loaded().isNamedByUser(place.file().path());
     }
 
-    /** The components in such files. */
+    /** The components that are not those of libraries, whose code somebody else makes. */
+    public List<Component> own() {
+        return model.components().stream()
+                .filter(each -> !checked.loaded().isOfLibrary(each.span().file().path()))
+                .toList();
+    }
+
+    /** The components in files that the user named. */
     public List<Component> named() {
         return model.components().stream().filter(each -> isNamed(each.span())).toList();
     }

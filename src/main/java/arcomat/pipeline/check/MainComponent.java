@@ -72,14 +72,14 @@ public record MainComponent(Component component, List<Value> arguments) {
     }
 
     /** The only component that is there to be deployed, for a command that names none. */
-    public static MainComponent onlyDeployed(Model model) throws WrongUse {
-        List<Component> deployed = model.components().stream().filter(Component::deploy).toList();
+    public static MainComponent onlyDeployed(LoweredModels models) throws WrongUse {
+        List<Component> deployed = models.own().stream().filter(Component::deploy).toList();
         if (deployed.size() == 1) {
             return new MainComponent(deployed.get(0), arguments(deployed.get(0), List.of()));
         }
         throw new WrongUse(
                 "which component is to run? name it with --main; there are "
-                        + listing(names(model)));
+                        + listing(names(models.model())));
     }
 
     /** By its name alone. */

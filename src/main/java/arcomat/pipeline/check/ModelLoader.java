@@ -1,14 +1,15 @@
 package arcomat.pipeline.check;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.guest.ForeignBehaviours;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -33,6 +34,7 @@ public final class ModelLoader {
 
     private final PathNames names;
     private final Progress progress;
+    private final Guests guests;
     private final List<SourceFile> sources = new ArrayList<>();
     private final List<Unit> units = new ArrayList<>();
     private final List<Recovered> recovered = new ArrayList<>();
@@ -41,23 +43,25 @@ public final class ModelLoader {
     private final Map<String, Path> places = new HashMap<>();
     private final Set<Path> known = new HashSet<>();
 
-    private ModelLoader(PathNames names, Progress progress) {
-        this.names = names;
-        this.progress = progress;
+    private ModelLoader(Session session) {
+        this.names = session.names();
+        this.progress = session.progress();
+        this.guests = session.guests();
     }
 
     static LoadedModels load(List<String> paths, Session session) {
-        return new ModelLoader(session.names(), session.progress()).load(paths);
+        return new ModelLoader(session).load(paths, session.libraries());
     }
 
-    private LoadedModels load(List<String> paths) {
-        FileFinder finder = new FileFinder(names);
-        paths.forEach(finder::find);
-        findings.addAll(finder.findings());
-        List<Unit> fresh = parse(read(finder.files()));
+    private LoadedModels load(List<String> paths, List<String> libraries) {
+        FoundModels found = FoundModels.find(paths, libraries, names);
+        findings.addAll(found.findings());
+        List<Unit> fresh = parse(read(found.all()));
         Set<Path> folders = searchedFolders(paths, names);
+        folders.addAll(searchedFolders(libraries, names));
         ModelRoot roots = new ModelRoot(names.fence());
-        Set<String> needed = new HashSet<>();
+        Set<String> ofLibraries = Set.copyOf(found.pathsOfLibraries());
+        Set<String> needed = new HashSet<>(ofLibraries);
         while (!fresh.isEmpty()) {
             List<SourceFile> more = read(needed(fresh, roots, folders));
             more.forEach(file -> needed.add(file.path()));
@@ -71,8 +75,8 @@ public final class ModelLoader {
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }
-        List<String> named = finder.files().stream().map(FileFinder.Found::shown).toList();
-        return new LoadedModels(named, sources, units, recovered, broken, findings, needed);
+        return new LoadedModels(
+                found.paths(), sources, units, recovered, broken, findings, needed, ofLibraries);
     }
 
     /** Those of the paths that are folders. */
@@ -109,7 +113,7 @@ public final class ModelLoader {
     /** Returns the trees, those with gaps included. */
     private List<Unit> parse(List<SourceFile> fresh) {
         sources.addAll(fresh);
-        List<Parsed> parsed = parse(fresh, progress);
+        List<Parsed> parsed = parse(fresh, guests, progress);
         List<Unit> parsedUnits = new ArrayList<>();
         for (int i = 0; i < parsed.size(); i++) {
             Parsed each = parsed.get(i);
@@ -125,7 +129,7 @@ public final class ModelLoader {
     }
 
     /** Large amounts of text by several threads. */
-    public static List<Parsed> parse(List<SourceFile> files, Progress progress) {
+    public static List<Parsed> parse(List<SourceFile> files, Guests guests, Progress progress) {
         progress.step("parsing", files.size(), "file");
         long size = files.stream().mapToLong(file -> file.text().length()).sum();
         Stream<SourceFile> stream =
@@ -133,7 +137,7 @@ public final class ModelLoader {
         return stream.map(
                         file -> {
                             progress.goOn();
-                            return Parser.parse(file);
+                            return ForeignBehaviours.parse(file, guests);
                         })
                 .toList();
     }

@@ -2,7 +2,7 @@ package arcomat.pipeline.check;
 
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
-import arcomat.pipeline.file.FileFinder;
+import arcomat.pipeline.file.FileFinder.Found;
 import arcomat.pipeline.file.FileReader;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -14,14 +14,19 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * The files that the user named, by file or by folder, read but not parsed.
+ * The files that the user named, by file or by folder, read but not parsed, with those of
+ * libraries.
  *
  * @param paths as they are shown
+ * @param ofLibraries paths of models of others, of which only errors are told
  * @param readable by their paths, in the same order
  * @param findings about finding and reading
  */
 public record NamedFiles(
-        List<String> paths, Map<String, SourceFile> readable, List<Diagnostic> findings) {
+        List<String> paths,
+        List<String> ofLibraries,
+        Map<String, SourceFile> readable,
+        List<Diagnostic> findings) {
 
     /**
      * Finds and reads, several files at a time.
@@ -30,23 +35,29 @@ public record NamedFiles(
      */
     public static NamedFiles read(
             List<String> written,
+            List<String> libraries,
             PathNames names,
             Progress progress,
-            Function<FileFinder.Found, FileReader.Read> reader) {
-        FileFinder finder = new FileFinder(names);
-        written.forEach(finder::find);
-        progress.step("reading", finder.files().size(), "file");
-        List<String> paths = new ArrayList<>();
+            Function<Found, FileReader.Read> reader) {
+        FoundModels found = FoundModels.find(written, libraries, names);
+        List<Found> files = found.all();
+        progress.step("reading", files.size(), "file");
         Map<String, SourceFile> readable = new LinkedHashMap<>();
-        List<Diagnostic> findings = new ArrayList<>(finder.findings());
-        List<FileReader.Read> results = finder.files().parallelStream().map(reader).toList();
+        List<Diagnostic> findings = new ArrayList<>(found.findings());
+        List<FileReader.Read> results = files.parallelStream().map(reader).toList();
         for (int i = 0; i < results.size(); i++) {
-            String shown = finder.files().get(i).shown();
-            paths.add(shown);
+            String shown = files.get(i).shown();
             results.get(i).file().ifPresent(file -> readable.put(shown, file));
             results.get(i).finding().ifPresent(findings::add);
         }
-        return new NamedFiles(paths, readable, findings);
+        return new NamedFiles(found.paths(), found.pathsOfLibraries(), readable, findings);
+    }
+
+    /** The paths of all. */
+    public List<String> all() {
+        List<String> all = new ArrayList<>(paths);
+        all.addAll(ofLibraries);
+        return all;
     }
 
     public boolean hasErrors() {

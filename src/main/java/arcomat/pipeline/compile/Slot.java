@@ -1,7 +1,10 @@
 package arcomat.pipeline.compile;
 
+import org.jspecify.annotations.Nullable;
+
 import java.lang.reflect.Array;
 import java.lang.reflect.Field;
+import java.util.Objects;
 
 /** A field of one object of compiled code. */
 public final class Slot {
@@ -28,22 +31,27 @@ public final class Slot {
 
     /** The object to which fields lead, with dots between them: {@code section.cells[3]}. */
     public static Object follow(Object owner, String fields) {
+        return Objects.requireNonNull(reach(owner, fields));
+    }
+
+    /** The same; null where it has not been made. */
+    public static @Nullable Object reach(Object owner, String fields) {
         Object object = owner;
         for (String field : fields.split("\\.")) {
-            object = member(object, field);
+            object = object == null ? null : member(object, field);
         }
         return object;
     }
 
     /** A field, or an element of an array: {@code cells[3]}. */
-    private static Object member(Object owner, String field) {
+    private static @Nullable Object member(Object owner, String field) {
         int bracket = field.indexOf('[');
         if (bracket < 0) {
             return new Slot(owner, field).get();
         }
         Object array = new Slot(owner, field.substring(0, bracket)).get();
         int index = Integer.parseInt(field.substring(bracket + 1, field.length() - 1));
-        return Array.get(array, index);
+        return array == null ? null : Array.get(array, index);
     }
 
     public Object get() {

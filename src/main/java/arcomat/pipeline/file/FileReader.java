@@ -94,6 +94,11 @@ public final class FileReader {
         }
     }
 
+    /** A file that is left for later. */
+    public static Read unread(String shown) {
+        return unreadable(shown, "has not been read yet");
+    }
+
     private static Read unreadable(String shown, String why) {
         return Read.failed(
                 FileFindings.error(FileFindings.UNREADABLE, shown, "'" + shown + "' " + why));

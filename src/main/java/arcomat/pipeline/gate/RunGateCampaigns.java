@@ -51,7 +51,7 @@ public record RunGateCampaigns(
         List<CampaignReport> reports = new ArrayList<>();
         List<Diagnostic> findings = new ArrayList<>();
         // The time of a gate is that of each comparison; runs have one of their own.
-        Session patient = new Session(session.names(), session.progress().unlimited());
+        Session patient = session.with(session.progress().unlimited());
         for (PrepareGateCampaigns.Named each : campaigns) {
             CampaignReport report = report(each, patient);
             reports.add(report);

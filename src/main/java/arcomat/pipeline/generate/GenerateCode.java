@@ -14,6 +14,7 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.OversizedCode;
@@ -30,7 +31,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Checks models for what code needs, generates it and writes it, all or nothing.
+ * Checks models for what code needs, generates it and writes it, all or nothing. What libraries of
+ * the session have as code of their own is left out; programs for the brick hold all they need.
  *
  * @param target a shipped target, or a folder of templates
  * @param out the folder to be written, as a whole
@@ -47,6 +49,8 @@ public record GenerateCode(
         List<String> monitors,
         List<String> paths)
         implements Task<CheckedAnswer<GenerateCode.Made>> {
+    private static final String BRICK = "lejos";
+
     /**
      * What came of it.
      *
@@ -56,6 +60,17 @@ public record GenerateCode(
      */
     public record Made(
             List<String> files, List<RobotBuilder.BrickProgram> robots, List<RobotWatch> watches) {}
+
+    /**
+     * What is to be written.
+     *
+     * @param result with findings about code, too; nothing is written where there are errors
+     */
+    private record Draft(
+            CheckResult result,
+            Map<String, byte[]> output,
+            RobotBuilder.Result built,
+            List<RobotWatch> watches) {}
 
     /**
      * What a robot watches itself for.
@@ -89,13 +104,40 @@ public record GenerateCode(
                             + " watches other code");
         }
         CheckedModels checked = CheckedModels.checkToRun(paths, asked(), this::executable, session);
-        return checked.hasErrors()
-                ? CheckedAnswer.refused(checked.result())
-                : generate(code, checked.lower(session), session);
+        if (checked.hasErrors()) {
+            return CheckedAnswer.refused(checked.result());
+        }
+        Draft draft = draft(code, checked.lower(session), session);
+        return draft.result().hasErrors()
+                ? CheckedAnswer.refused(draft.result())
+                : CheckedAnswer.of(draft.result(), write(draft, session));
     }
 
-    private CheckedAnswer<Made> generate(Target target, LoweredModels models, Session session)
-            throws WrongUse {
+    /**
+     * Makes the program of one component and writes nothing, for somebody who wants to know what it
+     * would be like.
+     *
+     * @param models as somebody else has read them
+     * @throws WrongUse where the component cannot be a program by itself
+     */
+    public static CheckedAnswer<RobotBuilder.BrickProgram> program(
+            String component, LoadedModels models, Session session) throws WrongUse {
+        GenerateCode code =
+                new GenerateCode(
+                        BRICK, "", Optional.of(component), false, List.of(), models.named());
+        CheckedModels checked =
+                CheckedModels.checkToRun(models, code.asked(), code::executable, session);
+        if (checked.hasErrors()) {
+            return CheckedAnswer.refused(checked.result());
+        }
+        Target target = Targets.find(BRICK, session.names());
+        Draft draft = code.draft(target, checked.lower(session), session);
+        return draft.result().hasErrors()
+                ? CheckedAnswer.refused(draft.result())
+                : CheckedAnswer.of(draft.result(), draft.built().robots().get(0));
+    }
+
+    private Draft draft(Target target, LoweredModels models, Session session) throws WrongUse {
         session.progress().step("generating");
         CheckedModels checked = models.checked();
         PathNames names = session.names();
@@ -118,18 +160,23 @@ public record GenerateCode(
             findings.addAll(built.findings());
             result = checked.result().with(findings);
         }
-        if (result.hasErrors()) {
-            return CheckedAnswer.refused(result);
-        }
         Map<String, byte[]> output = output(generation, implementations, built);
-        session.progress().step("writing", output.size(), "file");
-        OutputFolder.replace(names.resolve(out), out, output);
-        return CheckedAnswer.of(
+        if (!target.isForBrick() && !result.hasErrors()) {
+            // Programs for the brick hold all that they need.
+            LibraryCode.of(target, choosing(), session).leaveOutOf(output);
+        }
+        return new Draft(
                 result,
-                new Made(
-                        List.copyOf(output.keySet()),
-                        built.robots(),
-                        watches.stream().map(RobotWatch::of).toList()));
+                output,
+                built,
+                watches.stream().map(RobotWatch::of).toList());
+    }
+
+    private Made write(Draft draft, Session session) throws WrongUse {
+        Map<String, byte[]> output = draft.output();
+        session.progress().step("writing", output.size(), "file");
+        OutputFolder.replace(session.names().resolve(out), out, output);
+        return new Made(List.copyOf(output.keySet()), draft.built().robots(), draft.watches());
     }
 
     /** What runs, and what it watches itself for; everything where nothing says what runs. */
@@ -146,26 +193,31 @@ public record GenerateCode(
     private static Map<String, byte[]> output(
             Generation generation, Implementations implementations, RobotBuilder.Result built) {
         Map<String, byte[]> output = new LinkedHashMap<>();
-        implementations.own().forEach((path, file) -> output.put(path, bytes(file.text())));
-        generation.files().forEach(file -> output.put(file.path(), bytes(file.text())));
+        implementations
+                .with(generation)
+                .forEach((path, text) -> output.put(path, text.getBytes(StandardCharsets.UTF_8)));
         output.putAll(built.jars());
         return output;
     }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private List<ComponentSymbol> executable(Workspace models, LoadedModels loaded) {
+        if (main.isPresent()) {
+            return MainComponent.symbols(main.get(), models);
+        }
+        return models.components().stream()
+                .filter(each -> !loaded.isOfLibrary(each.node().span().file().path()))
+                .toList();
     }
 
-    /** What code is to be made of; nothing where {@code --main} names nothing. */
-    private List<ComponentSymbol> executable(Workspace models) {
-        return main.map(name -> MainComponent.symbols(name, models)).orElseGet(models::components);
+    private Choosing choosing() {
+        return randomChoice ? Choosing.RANDOM : Choosing.FIRST;
     }
 
     private Request wanted(LoweredModels models) throws WrongUse {
-        Choosing choosing = randomChoice ? Choosing.RANDOM : Choosing.FIRST;
         if (main.isEmpty()) {
-            return Request.all(models.model(), choosing);
+            return Request.all(models.own(), choosing());
         }
-        return Request.program(MainComponent.find(main.get(), models).closed(), choosing);
+        return Request.program(MainComponent.find(main.get(), models).closed(), choosing());
     }
 }

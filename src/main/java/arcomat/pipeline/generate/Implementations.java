@@ -1,5 +1,6 @@
 package arcomat.pipeline.generate;
 
+import arcomat.generate.Generation;
 import arcomat.generate.Target;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
@@ -11,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -59,6 +61,14 @@ public record Implementations(Map<String, SourceFile> own, Map<String, SourceFil
             String path = folder.relativize(file).toString().replace('\\', '/');
             own.putIfAbsent(path, FileReader.text(file, shown));
         }
+    }
+
+    /** The texts of what the user wrote, and beside it what was generated for it. */
+    Map<String, String> with(Generation generation) {
+        Map<String, String> texts = new LinkedHashMap<>();
+        own.forEach((path, file) -> texts.put(path, file.text()));
+        generation.files().forEach(file -> texts.put(file.path(), file.text()));
+        return texts;
     }
 
     /** All files; the user's instead of the library's. */

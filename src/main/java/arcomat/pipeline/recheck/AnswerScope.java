@@ -28,11 +28,12 @@ record AnswerScope(OpenModels open, String path) {
                 parsed.stream().flatMap(each -> each.recovered().stream()).toList(),
                 broken(scope),
                 parsed.stream().flatMap(each -> each.findings().stream()).toList(),
-                others);
+                others,
+                Set.of());
     }
 
     private Set<String> scope() {
-        Dependencies dependencies = new Dependencies(open.remembered().values());
+        Dependencies dependencies = open.dependencies();
         FileInterface own = FileInterface.of(Objects.requireNonNull(open.remembered().get(path)));
         Set<String> users = new HashSet<>(dependencies.affectedBy(List.of(own)));
         users.removeIf(each -> each.endsWith(".mt"));

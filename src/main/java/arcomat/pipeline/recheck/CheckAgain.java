@@ -24,12 +24,7 @@ public record CheckAgain(List<String> paths, boolean executable, String state, S
     @Override
     public Recheck run(Session session) throws WrongUse {
         IncrementalCheck.Outcome outcome =
-                new IncrementalCheck(
-                                paths,
-                                CheckFiles.profile(executable),
-                                tool,
-                                session.names(),
-                                session.progress())
+                new IncrementalCheck(paths, CheckFiles.profile(executable), tool, session)
                         .run(new StateFile(state, session.names()));
         AtomicFile.write(state, StateFile.text(outcome.state()), session.names());
         return new Recheck(outcome.result(), outcome.checked());

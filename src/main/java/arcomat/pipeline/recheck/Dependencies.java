@@ -6,12 +6,13 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Which files can see a change of which, judged by the words in their texts: a file refers to
@@ -20,37 +21,108 @@ import java.util.function.Function;
  * just as well.
  */
 public final class Dependencies {
-    private final Map<String, FileInterface> files = new LinkedHashMap<>();
-    private final Set<String> named = new HashSet<>();
-    private final Map<String, List<String>> claiming = new HashMap<>();
+    static final Dependencies NONE = new Dependencies(Map.of(), Map.of(), Map.of());
+
+    private final Map<String, Known> files;
+    private final Map<String, List<String>> claiming;
 
     /** By the last word of what is offered: whoever refers to it mentions that word, too. */
-    private final Map<String, List<String>> offering = new HashMap<>();
+    private final Map<String, List<String>> offering;
 
-    Dependencies(Collection<CheckState.File> files) {
-        for (CheckState.File file : files) {
-            String path = file.path();
-            FileInterface face = FileInterface.of(file);
-            this.files.put(path, face);
-            face.claims().forEach(claim -> add(claiming, claim, path));
-            face.offers().forEach(offer -> add(offering, offer.get(offer.size() - 1), path));
-            if (file.named()) {
-                named.add(path);
-            }
+    /**
+     * A file.
+     *
+     * @param hash of its text, on which all else depends
+     * @param named whether the user named it
+     */
+    private record Known(String hash, boolean named, FileInterface face) {
+        boolean isAbout(CheckState.File file) {
+            return named == file.named() && hash.equals(file.hash());
         }
     }
 
-    public static Dependencies of(CheckState state) {
-        return new Dependencies(state.files());
+    private Dependencies(
+            Map<String, Known> files,
+            Map<String, List<String>> claiming,
+            Map<String, List<String>> offering) {
+        this.files = files;
+        this.claiming = claiming;
+        this.offering = offering;
     }
 
+    static Dependencies of(Collection<CheckState.File> files) {
+        return NONE.with(files);
+    }
+
+    /**
+     * Those of other files. What is known of a file whose text is the same is not found out again.
+     *
+     * @param now all that there are
+     */
+    Dependencies with(Collection<CheckState.File> now) {
+        Dependencies changed =
+                new Dependencies(
+                        new HashMap<>(files), new HashMap<>(claiming), new HashMap<>(offering));
+        Set<String> gone = new HashSet<>(files.keySet());
+        for (CheckState.File file : now) {
+            gone.remove(file.path());
+            Known before = files.get(file.path());
+            if (before == null || !before.isAbout(file)) {
+                changed.put(file);
+            }
+        }
+        gone.forEach(changed::remove);
+        return changed;
+    }
+
+    private void put(CheckState.File file) {
+        String path = file.path();
+        remove(path);
+        FileInterface face = FileInterface.of(file);
+        files.put(path, new Known(file.hash(), file.named(), face));
+        face.claims().forEach(claim -> add(claiming, claim, path));
+        face.offers().forEach(offer -> add(offering, last(offer), path));
+    }
+
+    private void remove(String path) {
+        Known before = files.remove(path);
+        if (before != null) {
+            before.face().claims().forEach(claim -> remove(claiming, claim, path));
+            before.face().offers().forEach(offer -> remove(offering, last(offer), path));
+        }
+    }
+
+    private static String last(List<String> offer) {
+        return offer.get(offer.size() - 1);
+    }
+
+    /** Lists are others': whoever looks at them sees no change. */
     private static void add(Map<String, List<String>> index, String key, String path) {
-        index.computeIfAbsent(key, any -> new ArrayList<>(1)).add(path);
+        index.merge(
+                key,
+                List.of(path),
+                (before, one) -> Stream.concat(before.stream(), one.stream()).toList());
+    }
+
+    private static void remove(Map<String, List<String>> index, String key, String path) {
+        index.computeIfPresent(
+                key,
+                (any, before) -> {
+                    List<String> left = before.stream().filter(each -> !each.equals(path)).toList();
+                    return left.isEmpty() ? null : left;
+                });
+    }
+
+    public static Dependencies of(CheckState state) {
+        return of(state.files());
     }
 
     /** The files that the user named. */
     public Set<String> named() {
-        return Set.copyOf(named);
+        return files.entrySet().stream()
+                .filter(each -> each.getValue().named())
+                .map(Map.Entry::getKey)
+                .collect(Collectors.toUnmodifiableSet());
     }
 
     /**
@@ -66,16 +138,14 @@ public final class Dependencies {
      * these, over any number of steps: what is said about these files depends on no other ones.
      */
     public Set<String> connectedWith(Collection<String> paths) {
-        Map<String, List<String>> connected = new HashMap<>();
-        files.forEach(
-                (path, file) ->
-                        neededBy(file)
-                                .forEach(
-                                        other -> {
-                                            add(connected, path, other);
-                                            add(connected, other, path);
-                                        }));
-        return reached(paths, path -> connected.getOrDefault(path, List.of()));
+        Map<String, Set<String>> connected = new HashMap<>();
+        for (String path : files.keySet()) {
+            for (String other : neededBy(file(path))) {
+                connected.computeIfAbsent(path, any -> new HashSet<>()).add(other);
+                connected.computeIfAbsent(other, any -> new HashSet<>()).add(path);
+            }
+        }
+        return reached(paths, path -> connected.getOrDefault(path, Set.of()));
     }
 
     /**
@@ -107,7 +177,7 @@ public final class Dependencies {
     }
 
     private FileInterface file(String path) {
-        return Objects.requireNonNull(files.get(path));
+        return Objects.requireNonNull(files.get(path)).face();
     }
 
     private Set<String> reached(
@@ -137,7 +207,14 @@ public final class Dependencies {
         return claimants;
     }
 
+    /** The last words are those that few files mention; this is asked of all pairs of files. */
     private static boolean refers(FileInterface from, FileInterface to) {
-        return to.offers().stream().anyMatch(from.mentions()::containsAll);
+        Set<String> mentions = from.mentions();
+        for (List<String> offer : to.offers()) {
+            if (mentions.contains(last(offer)) && mentions.containsAll(offer)) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -3,7 +3,6 @@ package arcomat.pipeline.recheck;
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
 import arcomat.pipeline.PathNames;
-import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
@@ -35,8 +34,7 @@ import java.util.function.BiFunction;
  *
  * @param tool whatever tells this tool from others that may find something else
  */
-public record IncrementalCheck(
-        List<String> paths, Profile profile, String tool, PathNames names, Progress progress) {
+public record IncrementalCheck(List<String> paths, Profile profile, String tool, Session session) {
 
     /**
      * @param state for the next check
@@ -50,7 +48,9 @@ public record IncrementalCheck(
      * @param file what the last check left, if any
      */
     public Outcome run(StateFile file) {
-        return run(new CheckMemory(), (key, named) -> file.read(key, path -> source(path, named)));
+        return run(
+                new CheckMemory(session.guests()),
+                (key, named) -> file.read(key, path -> source(path, named)));
     }
 
     /** Checks with what is remembered, and remembers what is found. */
@@ -62,11 +62,14 @@ public record IncrementalCheck(
 
     private Outcome run(
             CheckMemory memory, BiFunction<String, NamedFiles, Optional<CheckState>> last) {
-        Set<Path> searched = ModelLoader.searchedFolders(paths, names);
-        NamedFiles named = NamedFiles.read(paths, names, progress, memory::read);
+        Set<Path> searched = ModelLoader.searchedFolders(paths, names());
+        searched.addAll(ModelLoader.searchedFolders(session.libraries(), names()));
+        NamedFiles named =
+                NamedFiles.read(
+                        paths, session.libraries(), names(), session.progress(), memory::read);
         String key = key(searched, named);
         Optional<CheckState> before = last.apply(key, named);
-        FilesAround around = new FilesAround(names, searched, named.paths());
+        FilesAround around = new FilesAround(names(), searched, named.all());
         return before.flatMap(state -> update(state, named, around, memory))
                 .orElseGet(() -> full(key, searched));
     }
@@ -77,8 +80,10 @@ public record IncrementalCheck(
                 String.join(
                         "\n",
                         tool,
+                        session.laws().identity(),
                         profile.name(),
                         new TreeSet<>(searched).toString(),
+                        String.join("\n", session.libraries()),
                         named.hasErrors() ? "incomplete" : "complete"));
     }
 
@@ -87,7 +92,7 @@ public record IncrementalCheck(
         if (named.readable().containsKey(path)) {
             return named.source(path);
         }
-        Path place = names.resolve(path);
+        Path place = names().resolve(path);
         if (Library.isShown(path) && !Files.exists(place)) {
             return Library.file(path);
         }
@@ -95,8 +100,10 @@ public record IncrementalCheck(
     }
 
     private Outcome full(String key, Set<Path> searched) {
-        CheckedModels models = CheckedModels.check(paths, profile, new Session(names, progress));
-        FilesAround around = new FilesAround(names, searched, models.loaded().named());
+        CheckedModels models = CheckedModels.check(paths, profile, session);
+        List<String> found = new ArrayList<>(models.loaded().named());
+        found.addAll(models.loaded().libraries());
+        FilesAround around = new FilesAround(names(), searched, found);
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);
         return new Outcome(models.result(), state, models.loaded().named());
@@ -107,7 +114,7 @@ public record IncrementalCheck(
         if (!around.areAsBefore(before.folders())) {
             return Optional.empty();
         }
-        Update update = Update.of(before, named, new StateOfFiles(around), names, memory, progress);
+        Update update = Update.of(before, named, new StateOfFiles(around), session, memory);
         if (update.surroundingsChange()) {
             return Optional.empty();
         }
@@ -116,6 +123,10 @@ public record IncrementalCheck(
         folders.putAll(around.folders());
         CheckState state = new CheckState(before.key(), folders, files);
         return Optional.of(new Outcome(result(files, named), state, update.checkedFiles()));
+    }
+
+    private PathNames names() {
+        return session.names();
     }
 
     private static CheckResult result(List<File> files, NamedFiles named) {

@@ -1,5 +1,10 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.check.Checks;
+import arcomat.check.LawBook;
+import arcomat.check.Review;
+import arcomat.check.law.Profile;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.Library;
@@ -28,8 +33,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Predicate;
-import java.util.stream.Stream;
 
 /** The files of a model root as they are now, the library's that they need included. A value. */
 final class OpenFiles {
@@ -42,6 +45,7 @@ final class OpenFiles {
     private final SortedMap<String, OpenFile> files;
     private final OpenModels.Edition edition = new OpenModels.Edition();
     private final Lazy<Workspace> workspace = new Lazy<>(this::around);
+    private final Lazy<Workspace> whole = new Lazy<>(this::withoutBroken);
 
     /**
      * A file as it is now.
@@ -68,7 +72,7 @@ final class OpenFiles {
         edit.removed().forEach(after::remove);
         edit.unreadable().forEach(finding -> after.put(path(finding), unreadable(finding)));
         StateOfFiles states = states(after.keySet(), edit);
-        List<Parsed> parsed = ModelLoader.parse(edit.written(), Progress.NONE);
+        List<Parsed> parsed = ModelLoader.parse(edit.written(), Guests.NONE, Progress.NONE);
         for (int i = 0; i < parsed.size(); i++) {
             SourceFile source = edit.written().get(i);
             after.put(source.path(), open(states, source, parsed.get(i), true));
@@ -121,7 +125,8 @@ final class OpenFiles {
                 OpenFile file = files.get(path);
                 if (file == null || file.remembered().named()) {
                     SourceFile source = Library.file(path);
-                    Parsed parsed = ModelLoader.parse(List.of(source), Progress.NONE).get(0);
+                    Parsed parsed =
+                            ModelLoader.parse(List.of(source), Guests.NONE, Progress.NONE).get(0);
                     file = open(states, source, parsed, false);
                 }
                 after.put(path, file);
@@ -178,29 +183,53 @@ final class OpenFiles {
     /** What names would mean if a file had another text. */
     OpenModels.Draft draft(SourceFile text) {
         Map<String, Parsed> parsed = parsed();
-        Parsed written = ModelLoader.parse(List.of(text), Progress.NONE).get(0);
+        Parsed written = ModelLoader.parse(List.of(text), Guests.NONE, Progress.NONE).get(0);
         parsed.put(text.path(), written);
         return new OpenModels.Draft(written.readable(), workspace(parsed));
     }
 
+    /**
+     * The findings about some files.
+     *
+     * @param wanted their paths
+     * @param goOn asked now and then; it may throw what ends the work
+     */
+    Review review(Set<String> wanted, Profile profile, Runnable goOn) {
+        return Checks.review(
+                        LawBook.OWN,
+                        whole.get(),
+                        profile,
+                        unit -> wanted.contains(unit.file().path()),
+                        goOn)
+                .and(
+                        Checks.reviewRecovered(
+                                LawBook.OWN,
+                                recovered(wanted),
+                                units(),
+                                broken(),
+                                List.of(),
+                                profile));
+    }
+
     /** What names mean to a check, which looks at files with syntax errors by themselves. */
-    Workspace whole() {
+    private Workspace withoutBroken() {
         return broken().isEmpty() ? workspace() : Workspace.of(units(), broken());
     }
 
     /** Of the files that parse. */
-    List<Unit> units() {
+    private List<Unit> units() {
         return files.values().stream().flatMap(file -> file.parsed().unit().stream()).toList();
     }
 
-    Stream<Recovered> recovered(Predicate<String> wanted) {
+    private List<Recovered> recovered(Set<String> wanted) {
         return files.entrySet().stream()
-                .filter(each -> wanted.test(each.getKey()))
-                .flatMap(each -> each.getValue().parsed().recovered().stream());
+                .filter(each -> wanted.contains(each.getKey()))
+                .flatMap(each -> each.getValue().parsed().recovered().stream())
+                .toList();
     }
 
     /** Paths of those that do not. */
-    Set<String> broken() {
+    private Set<String> broken() {
         Set<String> broken = new HashSet<>();
         files.forEach(
                 (path, file) -> {

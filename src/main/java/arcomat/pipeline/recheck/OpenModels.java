@@ -1,7 +1,5 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.check.Checks;
-import arcomat.check.Review;
 import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.recheck.CheckState.File;
@@ -10,16 +8,18 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
-import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -32,7 +32,24 @@ import java.util.stream.Stream;
 public final class OpenModels {
     private final boolean executable;
     private final OpenFiles files;
-    private final Map<String, File> checked;
+    private final Checked checked;
+
+    /**
+     * What is known of the last check.
+     *
+     * @param files with what was found in them
+     * @param due paths of those in which something else may be found now
+     * @param dependencies between files of then, or of some check before
+     * @param edition of the texts
+     */
+    private record Checked(
+            Map<String, File> files,
+            Set<String> due,
+            Dependencies dependencies,
+            Optional<Edition> edition) {
+        static final Checked NOTHING =
+                new Checked(Map.of(), Set.of(), Dependencies.NONE, Optional.empty());
+    }
 
     /** Tells texts from those before; it keeps nothing of them. */
     public static final class Edition {
@@ -60,7 +77,7 @@ public final class OpenModels {
         }
     }
 
-    private OpenModels(boolean executable, OpenFiles files, Map<String, File> checked) {
+    private OpenModels(boolean executable, OpenFiles files, Checked checked) {
         this.executable = executable;
         this.files = files;
         this.checked = checked;
@@ -73,7 +90,7 @@ public final class OpenModels {
      * @param executable also asks for what a model needs in order to run
      */
     public static OpenModels in(Path root, boolean executable) {
-        return new OpenModels(executable, OpenFiles.in(root), Map.of());
+        return new OpenModels(executable, OpenFiles.in(root), Checked.NOTHING);
     }
 
     /** Reads the new texts; findings about meaning stay those of the last check. */
@@ -103,37 +120,50 @@ public final class OpenModels {
      * @param goOn asked now and then; it may throw what ends the work
      */
     public OpenModels check(Runnable goOn) {
-        Map<String, File> now = new LinkedHashMap<>();
-        files.all().forEach((path, file) -> now.put(path, known(path, file)));
-        Set<String> affected = affected(now);
-        if (affected.isEmpty()) {
-            return new OpenModels(executable, files, now);
-        }
-        var profile = CheckFiles.profile(executable);
-        List<Recovered> recovered = files.recovered(affected::contains).toList();
-        Review review =
-                Checks.review(
-                                files.whole(),
-                                profile,
-                                unit -> affected.contains(unit.file().path()),
-                                goOn)
-                        .and(
-                                Checks.reviewRecovered(
-                                        recovered,
-                                        files.units(),
-                                        files.broken(),
-                                        List.of(),
-                                        profile));
-        StateOfFiles.takeOver(
-                review, affected, path -> files.file(path).orElseThrow().parsed(), now);
-        return new OpenModels(executable, files, now);
+        return check(path -> true, goOn);
     }
 
-    /** The first time everything is, and nobody has to find out why. */
-    private Set<String> affected(Map<String, File> now) {
-        return checked.isEmpty()
-                ? Set.copyOf(now.keySet())
-                : new Changes(checked, now).affected(new Dependencies(now.values()));
+    /**
+     * The same for some files; the others stay {@link #due}.
+     *
+     * @param wanted by their paths
+     */
+    public OpenModels check(Predicate<String> wanted, Runnable goOn) {
+        Checked before = noticed();
+        Set<String> now = before.due().stream().filter(wanted).collect(Collectors.toSet());
+        if (now.isEmpty()) {
+            return new OpenModels(executable, files, before);
+        }
+        Map<String, File> found = new LinkedHashMap<>(before.files());
+        StateOfFiles.takeOver(
+                files.review(now, CheckFiles.profile(executable), goOn),
+                now,
+                path -> files.file(path).orElseThrow().parsed(),
+                found);
+        Set<String> later = new HashSet<>(before.due());
+        later.removeAll(now);
+        return new OpenModels(
+                executable,
+                files,
+                new Checked(found, later, before.dependencies(), before.edition()));
+    }
+
+    /** What the last check means for the texts as they are now. */
+    private Checked noticed() {
+        if (checked.edition().filter(files.edition()::equals).isPresent()) {
+            return checked;
+        }
+        Map<String, File> now = new LinkedHashMap<>();
+        files.all().forEach((path, file) -> now.put(path, known(path, file)));
+        if (checked.files().isEmpty()) { // all are new, and nobody has to find out why
+            return new Checked(
+                    now, now.keySet(), checked.dependencies(), Optional.of(files.edition()));
+        }
+        Dependencies dependencies = checked.dependencies().with(now.values());
+        Set<String> due = new HashSet<>(checked.due());
+        due.retainAll(now.keySet());
+        due.addAll(new Changes(checked.files(), now).affected(dependencies));
+        return new Checked(now, due, dependencies, Optional.of(files.edition()));
     }
 
     /** Of the last check, if the text is still the same; why one cannot be read is said afresh. */
@@ -142,7 +172,7 @@ public final class OpenModels {
         if (file.source().isEmpty()) {
             return remembered.with(file.parsed().findings(), List.of());
         }
-        File last = checked.get(path);
+        File last = checked.files().get(path);
         return last != null
                         && last.hash().equals(remembered.hash())
                         && last.needs().equals(remembered.needs())
@@ -201,14 +231,26 @@ public final class OpenModels {
         return remembered;
     }
 
+    /** Between the texts as they are now. */
+    Dependencies dependencies() {
+        return checked.dependencies().with(remembered().values());
+    }
+
     /** What the last check found in a file, about the text that it had then. */
     public List<Diagnostic> findings(String path) {
-        File file = checked.get(path);
+        File file = checked.files().get(path);
         return file == null ? List.of() : file.findings();
+    }
+
+    /**
+     * Files of which {@link #findings} may not be about these texts, as the last check has seen.
+     */
+    public Set<String> due() {
+        return Collections.unmodifiableSet(checked.due());
     }
 
     /** The files that {@link #findings} may be asked about. */
     public Set<String> checkedPaths() {
-        return Collections.unmodifiableSet(checked.keySet());
+        return Collections.unmodifiableSet(checked.files().keySet());
     }
 }

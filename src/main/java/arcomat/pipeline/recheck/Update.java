@@ -3,8 +3,8 @@ package arcomat.pipeline.recheck;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
-import arcomat.pipeline.PathNames;
-import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
@@ -32,8 +32,7 @@ import java.util.TreeSet;
 
 /** From the state of the files at the last check to that of the files now. */
 final class Update {
-    private final PathNames names;
-    private final Progress progress;
+    private final Session session;
     private final CheckMemory memory;
     private final NamedFiles named;
     private final StateOfFiles states;
@@ -51,25 +50,22 @@ final class Update {
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
+            Session session,
+            CheckMemory memory) {
         before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
         this.states = states;
-        this.names = names;
+        this.session = session;
         this.memory = memory;
-        this.progress = progress;
     }
 
     static Update of(
             CheckState before,
             NamedFiles named,
             StateOfFiles states,
-            PathNames names,
-            CheckMemory memory,
-            Progress progress) {
-        Update update = new Update(before, named, states, names, memory, progress);
+            Session session,
+            CheckMemory memory) {
+        Update update = new Update(before, named, states, session, memory);
         update.compare();
         return update;
     }
@@ -79,12 +75,15 @@ final class Update {
         for (String path : named.paths()) {
             after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), true));
         }
+        for (String path : named.ofLibraries()) {
+            after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), false));
+        }
         for (File file : before.values()) {
             if (!file.named() && !after.containsKey(file.path())) {
                 after.put(file.path(), notNamed(file));
             }
         }
-        dependencies = new Dependencies(after.values());
+        dependencies = Dependencies.of(after.values());
         affected.addAll(changes.affected(dependencies));
     }
 
@@ -93,7 +92,7 @@ final class Update {
             return file;
         }
         Optional<SourceFile> source =
-                FileReader.read(names.resolve(file.path()), file.path()).file();
+                FileReader.read(session.names().resolve(file.path()), file.path()).file();
         source.ifPresent(read -> others.put(file.path(), read));
         return now(file.path(), source, false);
     }
@@ -125,7 +124,7 @@ final class Update {
     private boolean isAmbiguous(File file) {
         return !file.named()
                 && Library.isShown(file.path())
-                && Files.exists(names.resolve(file.path()));
+                && Files.exists(session.names().resolve(file.path()));
     }
 
     private boolean changesSurroundings(@Nullable File old, @Nullable File fresh) {
@@ -170,15 +169,23 @@ final class Update {
                 outlines.add(file.names().get());
             }
         }
-        progress.step("checking", affected.size(), "model");
+        session.progress().step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
-                Checks.review(
+                CheckedModels.review(
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
-                                progress::goOn)
-                        .and(Checks.reviewRecovered(recovered, units, broken, outlines, profile)));
+                                Set.copyOf(named.ofLibraries()),
+                                session)
+                        .and(
+                                Checks.reviewRecovered(
+                                        session.laws(),
+                                        recovered,
+                                        units,
+                                        broken,
+                                        outlines,
+                                        profile)));
     }
 
     private void parse(Set<String> needed) {
@@ -189,14 +196,14 @@ final class Update {
                 missing.add(source(file));
             }
         }
-        List<Parsed> results = memory.parsed(missing, progress);
+        List<Parsed> results = memory.parsed(missing, session.progress());
         for (int i = 0; i < missing.size(); i++) {
             parsed.put(missing.get(i).path(), results.get(i));
         }
     }
 
     private SourceFile source(File file) {
-        if (file.named()) {
+        if (file.named() || named.readable().containsKey(file.path())) {
             return named.source(file.path());
         }
         SourceFile other = others.get(file.path());

@@ -11,6 +11,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.CompiledExecution;
@@ -118,7 +119,7 @@ public record SimulateComponent(
                 CheckedModels.checkToRun(
                         all,
                         asked(given),
-                        models -> compiled ? mayRun(given, models) : List.of(),
+                        (models, loaded) -> compiled ? mayRun(given, models, loaded) : List.of(),
                         session);
         if (checked.hasErrors()) {
             return CheckedAnswer.refused(checked.result());
@@ -148,14 +149,18 @@ public record SimulateComponent(
     }
 
     /** The component that code is made of, before it is sure that there is exactly one. */
-    private List<ComponentSymbol> mayRun(Optional<TestReference> test, Workspace models) {
+    private List<ComponentSymbol> mayRun(
+            Optional<TestReference> test, Workspace models, LoadedModels loaded) {
         if (main.isPresent()) {
             return MainComponent.symbols(main.get(), models);
         }
         if (test.isPresent()) {
             return test.get().components(models);
         }
-        return models.components().stream().filter(each -> each.signature().isDeploy()).toList();
+        return models.components().stream()
+                .filter(each -> each.signature().isDeploy())
+                .filter(each -> !loaded.isOfLibrary(each.node().span().file().path()))
+                .toList();
     }
 
     private Trace run(
@@ -263,7 +268,7 @@ public record SimulateComponent(
         if (main.isEmpty()) {
             return test.isPresent()
                     ? new MainComponent(test.get().component(), test.get().arguments())
-                    : MainComponent.onlyDeployed(models.model());
+                    : MainComponent.onlyDeployed(models);
         }
         MainComponent named = MainComponent.find(main.get(), models);
         if (test.isPresent() && !test.get().component().equals(named.component())) {

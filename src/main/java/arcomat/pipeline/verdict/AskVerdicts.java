@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Asks all that can be asked about one file, with the questions of {@code verify}, {@code analyze}
- * and {@code test}.
+ * Asks all that can be asked about one file, with the questions of {@code verify}, {@code analyze},
+ * {@code test} and {@code generate}.
  *
  * @param path the file
  * @param interruption ends the work, also in the middle of a search
@@ -60,6 +60,7 @@ public record AskVerdicts(String path, AnalysisLimits limits, Interruption inter
             verdicts.addAll(new PromiseVerdicts(models, promises).at(places));
             AnalyzeAutomata.Found found = AnalyzeAutomata.all(models, budget, interruption);
             verdicts.addAll(new AutomatonVerdicts(found).at(places));
+            verdicts.addAll(new ProgramVerdicts(models, session).at(places));
         }
         interruption.goOn();
         return verdicts;

@@ -42,7 +42,8 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
             case INVARIANT ->
                     answered.question() == Question.INVARIANT
                             && isInside(answered.place(), place.subject());
-            case AUTOMATON, TEST -> false;
+            case INHERITED -> isInherited(answered, place.subject());
+            case AUTOMATON, PROGRAM, TEST -> false;
         };
     }
 
@@ -76,6 +77,14 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
         return answered.question() == Question.REFINEMENT && answered.place().equals(automaton);
     }
 
+    /** Whether what is asked of a component stands elsewhere. */
+    private static boolean isInherited(Answered answered, Span component) {
+        return answered.question() == Question.REFINEMENT
+                && !answered.sides().isEmpty()
+                && answered.sides().get(0).component().span().equals(component)
+                && !isInside(answered.place(), component);
+    }
+
     private static boolean isInside(Span inner, Span outer) {
         return inner.file().equals(outer.file())
                 && outer.start() <= inner.start()
@@ -91,8 +100,14 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
         return new TextVerdict(
                 place,
                 tone(answered.verdict().answer()),
-                VerdictLine.of(answered),
+                line(place, answered),
                 new Sheet("index.html", () -> PageText.render(VerdictPage.of("verify", answered))));
+    }
+
+    /** Beside the name of another component it has to be said what holds or fails. */
+    private static String line(VerdictPlace place, Answered answered) {
+        String line = VerdictLine.of(answered);
+        return place.kind() == VerdictPlace.Kind.INHERITED ? "what it asks: " + line : line;
     }
 
     private static Tone tone(Answer answer) {

@@ -17,6 +17,10 @@ public record VerdictPlace(Kind kind, String name, Span span, Span subject) {
         REFINEMENT,
         /** Whether a composition does what an automaton on it asks. */
         REQUIREMENT,
+        /** Whether it does what automata ask that it has from the component that it extends. */
+        INHERITED,
+        /** What becomes of a component on the brick. */
+        PROGRAM,
         /** Whether an invariant is always true. */
         INVARIANT,
         /** What there is to be said about an automaton, or a table. */

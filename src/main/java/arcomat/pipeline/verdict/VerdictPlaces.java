@@ -9,6 +9,7 @@ import arcomat.tree.Definition;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
 import arcomat.tree.QualifiedName;
+import arcomat.tree.Stereotype;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
@@ -17,11 +18,13 @@ import java.util.List;
 
 /** The places of a file about which something can be asked. */
 public final class VerdictPlaces {
+    private static final String DEPLOY = "deploy";
+
     private VerdictPlaces() {}
 
     /**
-     * Of a tree that may have gaps. Whether an automaton asks something of parts is not seen here:
-     * each is a requirement that may have no answer.
+     * Of a tree that may have gaps. Whether an automaton asks something of parts is not seen here,
+     * nor whether one is inherited that does: each is a requirement that may have no answer.
      */
     public static List<VerdictPlace> in(Unit unit) {
         return unit.definition()
@@ -39,6 +42,18 @@ public final class VerdictPlaces {
     private static List<VerdictPlace> in(Component component, String around) {
         String name = around + component.name().text();
         List<VerdictPlace> places = new ArrayList<>();
+        if (component.isDeploy() || Stereotype.find(component.stereotypes(), DEPLOY).isPresent()) {
+            places.add(
+                    new VerdictPlace(
+                            Kind.PROGRAM, name, component.name().span(), component.span()));
+        }
+        component
+                .superComponent()
+                .map(
+                        above ->
+                                new VerdictPlace(
+                                        Kind.INHERITED, name, above.span(), component.span()))
+                .ifPresent(places::add);
         for (QualifiedName each : component.refines()) {
             String clause = name + " refines " + each.text();
             places.add(new VerdictPlace(Kind.REFINEMENT, clause, each.span(), component.span()));

@@ -2,8 +2,8 @@ package arcomat.pipeline.watch;
 
 import arcomat.check.law.Profile;
 import arcomat.pipeline.Interruption;
-import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.check.WrittenNames;
 import arcomat.pipeline.file.FileReader;
@@ -30,24 +30,25 @@ final class Rounds {
     private static final long STACK_BYTES = 512L << 20;
 
     private final List<String> paths;
-    private final PathNames names;
+    private final Session session;
     private final String tool;
     private final AnalysisLimits limits;
     private final WatchedFiles watched;
     private final Blackboard board;
-    private final CheckMemory memory = new CheckMemory();
+    private final CheckMemory memory;
     private Interruption current = new Interruption();
     private @Nullable Thread slow;
 
     Rounds(
             List<String> paths,
-            PathNames names,
+            Session session,
             String tool,
             AnalysisLimits limits,
             WatchedFiles watched,
             Blackboard board) {
         this.paths = paths;
-        this.names = names;
+        this.session = session.with(Progress.NONE);
+        this.memory = new CheckMemory(session.guests());
         this.tool = tool;
         this.limits = limits;
         this.watched = watched;
@@ -71,8 +72,7 @@ final class Rounds {
         }
         memory.forget(changed);
         IncrementalCheck.Outcome outcome =
-                new IncrementalCheck(paths, Profile.REQUIREMENTS, tool, names, Progress.NONE)
-                        .run(memory);
+                new IncrementalCheck(paths, Profile.REQUIREMENTS, tool, session).run(memory);
         board.checked(
                 outcome.result(), outcome.checked(), outcome.state(), System.nanoTime() - begun);
         Dependencies files = Dependencies.of(outcome.state());
@@ -82,7 +82,7 @@ final class Rounds {
 
     private void begin(Dependencies files) {
         current = new Interruption();
-        Runnable steps = new SlowSteps(board, files, names, limits, current);
+        Runnable steps = new SlowSteps(board, files, session.with(current), limits, current);
         Thread thread = new Thread(null, steps, "arcomat-watch", STACK_BYTES);
         thread.setDaemon(true);
         thread.start();
@@ -122,6 +122,7 @@ final class Rounds {
     }
 
     private String shown(Path file) {
-        return names.shown(file, paths.stream().anyMatch(each -> Path.of(each).isAbsolute()));
+        return session.names()
+                .shown(file, paths.stream().anyMatch(each -> Path.of(each).isAbsolute()));
     }
 }

@@ -2,7 +2,6 @@ package arcomat.pipeline.watch;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.pipeline.Interruption;
-import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
@@ -29,7 +28,7 @@ import java.util.concurrent.CancellationException;
 record SlowSteps(
         Blackboard board,
         Dependencies files,
-        PathNames names,
+        Session session,
         AnalysisLimits limits,
         Interruption interruption)
         implements Runnable {
@@ -39,7 +38,6 @@ record SlowSteps(
     @Override
     public void run() {
         try {
-            Session session = new Session(names, interruption);
             test(session);
             verify(session);
             for (String world : board.worlds().stream().sorted().toList()) {
@@ -112,7 +110,7 @@ record SlowSteps(
 
     private WorldEnd run(String world, Session session) {
         try {
-            FileReader.required("world", world, names);
+            FileReader.required("world", world, session.names());
             PreparedWorld prepared = session.run(new PrepareWorld(world, false));
             interruption.goOn();
             return new WorldEnd(

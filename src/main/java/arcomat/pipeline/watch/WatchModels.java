@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.FileStore;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -44,11 +45,13 @@ public record WatchModels(
      */
     @Override
     public WatchStatus run(Session session) throws WrongUse {
-        requireThere(session.names());
-        WatchedFiles watched = WatchedFiles.of(paths, session.names());
+        List<String> roots = new ArrayList<>(paths);
+        roots.addAll(session.libraries());
+        requireThere(roots, session.names());
+        WatchedFiles watched = WatchedFiles.of(roots, session.names());
         AnalysisLimits limits = new AnalysisLimits(Optional.of(seconds), Optional.empty());
         Blackboard board = new Blackboard(listener);
-        Rounds rounds = new Rounds(paths, session.names(), tool, limits, watched, board);
+        Rounds rounds = new Rounds(paths, session, tool, limits, watched, board);
         try {
             if (once) {
                 rounds.first();
@@ -62,8 +65,8 @@ public record WatchModels(
         return board.situation();
     }
 
-    private void requireThere(PathNames names) throws WrongUse {
-        for (String path : paths) {
+    private static void requireThere(List<String> roots, PathNames names) throws WrongUse {
+        for (String path : roots) {
             if (!Files.exists(names.resolve(path))) {
                 throw new WrongUse("'%s' does not exist; name a model root, or models", path);
             }

@@ -1,8 +1,9 @@
 package arcomat.pipeline.world;
 
+import arcomat.sim.device.LineNotes;
 import arcomat.world.Scene;
 
-import java.util.BitSet;
+import java.util.List;
 
 /** Who looks at a world while it runs, and changes nothing. */
 @FunctionalInterface
@@ -31,7 +32,7 @@ public interface Onlooker {
     /**
      * Told at the end, if it comes to one.
      *
-     * @param numbers of the lines that the robot's program has come to, of those that have a probe
+     * @param notes which lines objects of the robot's program have come to; good until this returns
      */
-    default void reached(String robot, BitSet numbers) {}
+    default void noted(String robot, List<LineNotes> notes) {}
 }

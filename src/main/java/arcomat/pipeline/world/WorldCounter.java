@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.sim.device.LineNotes;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.SilentObserver;
 import arcomat.sim.time.VirtualTime;
@@ -9,7 +10,7 @@ import arcomat.world.Tally;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
-import java.util.BitSet;
+import java.util.List;
 
 /** Keeps of a run what a campaign asks, and no frames. */
 final class WorldCounter implements Witness {
@@ -60,8 +61,8 @@ final class WorldCounter implements Witness {
     }
 
     @Override
-    public void reached(String robot, BitSet numbers) {
-        beside.reached(robot, numbers);
+    public void noted(String robot, List<LineNotes> notes) {
+        beside.noted(robot, notes);
     }
 
     @Override

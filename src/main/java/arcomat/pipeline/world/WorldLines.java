@@ -110,7 +110,7 @@ public record WorldLines(SourceFile text, Path place, TextsAround around) implem
     }
 
     @Override
-    public List<String> choices(int offset) {
-        return WorldParser.choicesAfter(BesideText.before(text, offset));
+    public List<Choice> choices(int offset) {
+        return new WorldChoices(text, place, around).at(offset);
     }
 }

@@ -131,7 +131,7 @@ final class WorldPrograms {
     private PluggedDevices devices(Kind kind) {
         Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
         for (Kind.Described each : kind.described()) {
-            boolean isFile = each.device().endsWith(".java");
+            boolean isFile = each.isProgram();
             if (isFile && !runDevices) {
                 findings.add(each.error(PluggedDevices.NO_DEVICE, STRANGER));
                 continue;

@@ -110,7 +110,7 @@ final class WorldRun implements Witness.Instruments {
         }
         for (SimulatedBrick brick : bricks) {
             brick.outcome().failure().ifPresent(reason -> witness.failed(brick.name(), reason));
-            witness.reached(brick.name(), brick.reached());
+            witness.noted(brick.name(), brick.notes());
         }
     }
 

@@ -29,6 +29,17 @@ public final class BrickReportText {
         return table.render(style) + needs(report.needs());
     }
 
+    /** The same in a few words, for somebody who sees beside them what they are about. */
+    public static String line(BrickReport report) {
+        Needs needs = report.needs();
+        String classes = "jar: " + classes(needs) + " classes";
+        String slice =
+                needs.slice().amount().isPresent()
+                        ? slice(needs) + " a slice"
+                        : "slice " + slice(needs);
+        return String.join(", ", classes, slice, "memory " + memory(needs.memory()));
+    }
+
     private static void add(TextTable table, int classes, int methods, int bytes, String name) {
         table.add(List.of("" + classes, "" + methods, "" + bytes, name));
     }
@@ -44,16 +55,18 @@ public final class BrickReportText {
 
     /** How full the brick will be, a line for each of its limits. */
     private static String needs(Needs needs) {
-        return "linked with leJOS: %s%d of %d classes\n"
-                        .formatted(
-                                needs.isExact() ? "" : "about ",
-                                needs.classes(),
-                                Needs.MOST_CLASSES)
-                + "memory: "
+        return "linked with leJOS: "
+                + classes(needs)
+                + " classes\nmemory: "
                 + memory(needs.memory())
                 + "\nlongest slice: "
                 + slice(needs)
                 + "\n";
+    }
+
+    private static String classes(Needs needs) {
+        return "%s%d of %d"
+                .formatted(needs.isExact() ? "" : "about ", needs.classes(), Needs.MOST_CLASSES);
     }
 
     private static String memory(Need memory) {

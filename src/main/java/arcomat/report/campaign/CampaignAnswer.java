@@ -44,7 +44,8 @@ record CampaignAnswer(
         CoverageAnswer coverage,
         Optional<Compared> compared,
         Optional<Worst> worst,
-        Optional<Rare> rare) {
+        Optional<Rare> rare,
+        List<TablesAnswer> against) {
     /** A parameter that varies, in the campaign's words. */
     record Parameter(String name, String values) {
         static Parameter of(Variation variation) {
@@ -193,7 +194,7 @@ record CampaignAnswer(
         return new CampaignAnswer(
                 report.file(),
                 report.replay().world(),
-                verdict(result),
+                verdict(report),
                 report.headline(),
                 report.runs(),
                 report.planned(),
@@ -215,14 +216,15 @@ record CampaignAnswer(
                 CoverageAnswer.of(report.coverage()),
                 Compared.of(report),
                 report.worst().map(each -> Worst.of(each, report)),
-                report.rare().map(each -> Rare.of(each, report)));
+                report.rare().map(each -> Rare.of(each, report)),
+                report.against().stream().map(TablesAnswer::of).toList());
     }
 
-    private static String verdict(CampaignResult result) {
-        if (result.fails()) {
+    private static String verdict(CampaignReport report) {
+        if (report.fails()) {
             return "fails";
         }
-        return result.isOpen() ? "undecided" : "holds";
+        return report.result().isOpen() ? "undecided" : "holds";
     }
 
     private static Optional<Double> finite(double number) {

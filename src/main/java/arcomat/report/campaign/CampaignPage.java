@@ -22,6 +22,7 @@ public final class CampaignPage {
                     "campaign/histograms.js",
                     "campaign/heat.js",
                     "campaign/runs.js",
+                    "campaign/against.js",
                     "campaign/rare.js",
                     "campaign/worst.js",
                     "campaign/coverage.js",

@@ -10,6 +10,7 @@ import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Decision;
 import arcomat.report.page.Page.Tone;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 
@@ -25,6 +26,7 @@ import java.util.function.Predicate;
  * @param rare what a splitting says; empty where there was none
  * @param planned how many runs it could have had: less where the answer was clear before
  * @param table what tells its table from any other
+ * @param against the table beside older ones
  */
 public record CampaignReport(
         String file,
@@ -36,7 +38,28 @@ public record CampaignReport(
         Optional<WorstSearch> worst,
         Optional<RareEvent> rare,
         long planned,
-        String table) {
+        String table,
+        List<TablesReport> against) {
+    public CampaignReport {
+        against = List.copyOf(against);
+    }
+
+    /** The same beside older tables. */
+    public CampaignReport against(List<TablesReport> older) {
+        return new CampaignReport(
+                file, campaign, replay, result, overview, coverage, worst, rare, planned, table,
+                older);
+    }
+
+    /** Whether something fails, or is worse than before. */
+    public boolean fails() {
+        return result.fails() || isWorse();
+    }
+
+    private boolean isWorse() {
+        return against.stream().anyMatch(each -> each.difference().isWorse());
+    }
+
     /** How many rows the table has. */
     public long runs() {
         return result.made() + result.impossible() + result.givenUp();
@@ -44,7 +67,7 @@ public record CampaignReport(
 
     /** How good news it is. */
     Tone tone() {
-        if (result.fails()) {
+        if (fails()) {
             return Tone.BAD;
         }
         if (result.isOpen()) {
@@ -73,6 +96,9 @@ public record CampaignReport(
         }
         if (result.fails()) {
             return "the new one is worse";
+        }
+        if (isWorse()) {
+            return "something is worse than before";
         }
         if (open > 0) {
             return "%,d of %,d requirements not decided".formatted(open, all);

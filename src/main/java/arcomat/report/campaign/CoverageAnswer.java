@@ -22,7 +22,11 @@ record CoverageAnswer(
         List<OfAutomaton> automata) {
     /** Of the automaton of one component. */
     record OfAutomaton(
-            String component, String file, List<OfTransition> transitions, List<OfState> states) {}
+            String component,
+            String file,
+            List<OfTransition> transitions,
+            List<OfState> states,
+            List<OfPart> parts) {}
 
     /**
      * Of a transition.
@@ -35,6 +39,16 @@ record CoverageAnswer(
 
     /** Of a state, with the number of runs that were in it. */
     record OfState(int line, String name, long runs) {}
+
+    /**
+     * Of one part of a robot that has the automaton.
+     *
+     * @param part {@code ROBOT.PATH}
+     * @param number of its first transition in the column {@code taken}; the others follow
+     * @param transitions in how many runs it has taken each, in the order of the automaton's
+     * @param states in how many runs it was in each, likewise
+     */
+    record OfPart(String part, int number, List<Long> transitions, List<Long> states) {}
 
     static CoverageAnswer of(Coverage coverage) {
         List<OfAutomaton> automata = new ArrayList<>();
@@ -70,6 +84,16 @@ record CoverageAnswer(
         for (AutomatonItems.State each : items.states()) {
             states.add(new OfState(each.line(), each.name(), covered.states().get(states.size())));
         }
-        return new OfAutomaton(items.component(), items.file(), transitions, states);
+        return new OfAutomaton(
+                items.component(),
+                items.file(),
+                transitions,
+                states,
+                covered.parts().stream().map(CoverageAnswer::of).toList());
+    }
+
+    private static OfPart of(Coverage.OfPart covered) {
+        return new OfPart(
+                covered.part().name(), covered.number(), covered.transitions(), covered.states());
     }
 }

@@ -3,6 +3,7 @@ package arcomat.report.campaign;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.report.text.Printable;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** What runs have covered, for people: how much, and some of what none of them came to. */
@@ -21,13 +22,11 @@ public final class CoverageText {
         StringBuilder text = new StringBuilder();
         if (coverage.runs() > 0) {
             text.append(amount()).append('\n');
-        }
-        List<String> missing = coverage.runs() > 0 ? missing() : List.of();
-        missing.stream()
-                .limit(MOST)
-                .forEach(each -> text.append("no run: ").append(each).append('\n'));
-        if (missing.size() > MOST) {
-            text.append("no run: %,d more, see --report\n".formatted(missing.size() - MOST));
+            list(missing(), "no run: ", "no run: %,d more, see --report\n", text);
+            if (coverage.isShared()) {
+                text.append(amountByPart()).append('\n');
+                list(missingByPart(), "not in ", "not in %,d more parts: see --report\n", text);
+            }
         }
         coverage.jars().forEach(each -> text.append(unknown(each)).append('\n'));
         return text.toString();
@@ -47,9 +46,44 @@ public final class CoverageText {
                         coverage.states());
     }
 
+    private String amountByPart() {
+        List<Coverage.OfPart> parts = coverage.parts();
+        return "by each part: %,d of %,d transitions, %,d of %,d states"
+                .formatted(
+                        parts.stream().mapToInt(Coverage.OfPart::taken).sum(),
+                        parts.stream().mapToInt(each -> each.transitions().size()).sum(),
+                        parts.stream().mapToInt(Coverage.OfPart::visited).sum(),
+                        parts.stream().mapToInt(each -> each.states().size()).sum());
+    }
+
+    private static void list(List<String> missing, String head, String rest, StringBuilder text) {
+        missing.stream().limit(MOST).forEach(each -> text.append(head).append(each).append('\n'));
+        if (missing.size() > MOST) {
+            text.append(rest.formatted(missing.size() - MOST));
+        }
+    }
+
     private List<String> missing() {
-        return MissingItem.of(coverage).stream()
-                .map(each -> Printable.escape(each.place() + ": " + each.text()))
-                .toList();
+        return MissingItem.of(coverage).stream().map(CoverageText::shown).toList();
+    }
+
+    /** What another part of the same component has covered: a line for each part. */
+    private List<String> missingByPart() {
+        List<String> missing = new ArrayList<>();
+        for (Coverage.OfAutomaton all : coverage.automata()) {
+            for (Coverage.OfPart part : all.parts()) {
+                List<MissingItem> own = MissingItem.of(part, all);
+                if (!own.isEmpty()) {
+                    String name = Printable.escape(part.part().name());
+                    String rest = own.size() > 1 ? " and %,d more".formatted(own.size() - 1) : "";
+                    missing.add(name + ": " + shown(own.get(0)) + rest);
+                }
+            }
+        }
+        return missing;
+    }
+
+    private static String shown(MissingItem missing) {
+        return Printable.escape(missing.place() + ": " + missing.text());
     }
 }

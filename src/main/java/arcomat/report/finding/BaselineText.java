@@ -16,7 +16,8 @@ import java.util.regex.Pattern;
 public final class BaselineText {
     private static final String FIRST = "arcomat baseline 1";
     private static final Pattern ENTRY =
-            Pattern.compile("(ARC[0-9]{4}) ([0-9a-f]{16}) ([1-9][0-9]{0,8}) (.+)", Pattern.DOTALL);
+            Pattern.compile(
+                    "([A-Z]+[0-9]{4}) ([0-9a-f]{16}) ([1-9][0-9]{0,8}) (.+)", Pattern.DOTALL);
 
     private BaselineText() {}
 

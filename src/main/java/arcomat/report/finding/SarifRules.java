@@ -17,7 +17,7 @@ import java.util.regex.Pattern;
  */
 record SarifRules(List<String> codes, Function<String, Optional<String>> pages) {
     private static final Pattern PAGE =
-            Pattern.compile("# ARC[0-9]{4} (?<title>.*)\n+(?<first>(?:.+\n)*)");
+            Pattern.compile("# [A-Z]+[0-9]{4} (?<title>.*)\n+(?<first>(?:.+\n)*)");
 
     static SarifRules of(List<Reported> results, Function<String, Optional<String>> pages) {
         return new SarifRules(

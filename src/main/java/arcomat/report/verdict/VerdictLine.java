@@ -64,7 +64,7 @@ public final class VerdictLine {
 
     /** What the right side is called stands beside it. */
     private static String shortened(String note, String right) {
-        String name = right.substring(right.lastIndexOf('.') + 1);
+        String name = right.replaceAll("[^\\s.]+\\.", "");
         return right.isEmpty()
                 ? note
                 : note.replace("transitions of " + right, "transitions").replace(right, name);

@@ -37,8 +37,18 @@ class CoverageCountTest {
                     List.of(new State(2, "idle")),
                     List.of(0));
 
-    /** Transitions 0 to 2, then the beginnings 3 to 5. */
-    private static final CoverageItems ITEMS = new CoverageItems(List.of(LAMP, BELL), List.of());
+    /**
+     * Transitions 0 to 2, then the beginnings 3 to 5; those of one lamp from 6 and 8, of the other
+     * one from 10 and 12.
+     */
+    private static final CoverageItems ITEMS =
+            new CoverageItems(
+                    List.of(LAMP, BELL),
+                    List.of(
+                            new PartItems("one", "lamp", 0),
+                            new PartItems("one", "bell", 1),
+                            new PartItems("other", "", 0)),
+                    List.of());
 
     private static ReachedItems reached(int... numbers) {
         BitSet all = new BitSet();
@@ -66,15 +76,33 @@ class CoverageCountTest {
         assertThat(coverage.states()).isEqualTo(4);
     }
 
+    /** A bell that is the only one is what the bells have covered. */
+    @Test
+    void eachPartIsCountedForItself() {
+        CoverageCount count = new CoverageCount(ITEMS);
+        count.see(reached(0, 2, 3, 4, 5, 6, 8, 13));
+        count.see(reached(0, 1, 3, 5, 6, 8, 10, 11, 12));
+        List<Coverage.OfPart> parts = count.coverage().parts();
+        assertThat(parts.stream().map(each -> each.part().name()))
+                .containsExactly("one.lamp", "other", "one.bell");
+        assertThat(parts.stream().map(Coverage.OfPart::number)).containsExactly(6, 10, 2);
+        assertThat(parts.get(0).transitions()).containsExactly(2L, 0L);
+        assertThat(parts.get(0).states()).containsExactly(2L, 2L, 0L);
+        assertThat(parts.get(1).transitions()).containsExactly(1L, 1L);
+        assertThat(parts.get(1).states()).containsExactly(1L, 1L, 1L);
+        assertThat(parts.get(2).transitions()).containsExactly(1L);
+        assertThat(parts.get(2).states()).containsExactly(2L);
+    }
+
     @Test
     void furtherRunsAreAdded() {
         CoverageCount first = new CoverageCount(ITEMS);
         CoverageCount second = new CoverageCount(ITEMS);
         CoverageCount both = new CoverageCount(ITEMS);
-        first.see(reached(0, 3));
-        second.see(reached(0, 2, 3, 5));
+        first.see(reached(0, 3, 6, 8));
+        second.see(reached(0, 2, 3, 5, 10, 12));
         second.see(reached(4));
-        for (int[] each : new int[][] {{0, 3}, {0, 2, 3, 5}, {4}}) {
+        for (int[] each : new int[][] {{0, 3, 6, 8}, {0, 2, 3, 5, 10, 12}, {4}}) {
             both.see(reached(each));
         }
         assertThat(first.coverage().and(second.coverage())).isEqualTo(both.coverage());

@@ -23,7 +23,7 @@ import java.util.stream.Stream;
 
 /**
  * Editors colour the words that the parsers read, all of them and no others. Who adds a keyword is
- * told here to add it to {@code editors/vscode/syntaxes}.
+ * told here to add it to {@code editors/vscode/syntaxes} and to {@code editors/kate}.
  */
 class ColouredWordsTest {
     private static final Pattern COMMENT = Pattern.compile("(?s)//[^\n]*|/\\*.*?\\*/");
@@ -59,15 +59,26 @@ class ColouredWordsTest {
         assertThat(coloured(coloured)).isEqualTo(keywords(grammar));
     }
 
+    /** Kate has one file for all kinds of models. */
+    @Test
+    void keywordsOfTheGrammarsAreColouredInKate() throws IOException {
+        Set<String> words = new TreeSet<>();
+        for (String grammar : List.of("Arc", "ClassDiagram", "StreamTest")) {
+            words.addAll(keywords(grammar));
+        }
+        assertThat(colouredInKate("arcomat")).isEqualTo(words);
+    }
+
     @Test
     void wordsOfWorldsAreColoured() throws IOException {
-        assertThat(coloured("world"))
-                .isEqualTo(
-                        written(
-                                WORLD + "WorldParser",
-                                WORLD + "KindDraft",
-                                WORLD + "RobotDraft",
-                                WORLD + "Parameters"));
+        Set<String> words =
+                written(
+                        WORLD + "WorldParser",
+                        WORLD + "KindDraft",
+                        WORLD + "RobotDraft",
+                        WORLD + "Parameters");
+        assertThat(coloured("world")).isEqualTo(words);
+        assertThat(colouredInKate("arcomat-world")).isEqualTo(words);
     }
 
     @Test
@@ -77,6 +88,7 @@ class ColouredWordsTest {
                 .flatMap(Arrays::stream)
                 .forEach(each -> words.add(each.name()));
         assertThat(coloured("script")).isEqualTo(words);
+        assertThat(colouredInKate("arcomat-script")).isEqualTo(words);
     }
 
     @Test
@@ -90,10 +102,19 @@ class ColouredWordsTest {
         Set<String> coloured = coloured("campaign");
         coloured.addAll(keywords("Expression"));
         assertThat(coloured).isEqualTo(words);
+        Set<String> inKate = colouredInKate("arcomat-campaign");
+        inKate.addAll(keywords("Expression"));
+        assertThat(inKate).isEqualTo(words);
     }
 
     private static Set<String> coloured(String name) {
         Set<String> words = new TreeSet<>(TextMateGrammar.named(name).words());
+        words.removeAll(MORE);
+        return words;
+    }
+
+    private static Set<String> colouredInKate(String name) {
+        Set<String> words = new TreeSet<>(KateSyntax.named(name).words());
         words.removeAll(MORE);
         return words;
     }

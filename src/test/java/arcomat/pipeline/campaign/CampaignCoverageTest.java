@@ -9,15 +9,19 @@ import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
 import arcomat.campaign.coverage.AutomatonItems;
 import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ItemNumbers;
+import arcomat.campaign.coverage.PartItems;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.pipeline.campaign.engine.ProgramItems;
+import arcomat.pipeline.campaign.engine.ProgramItems.OfClass;
 import arcomat.pipeline.campaign.engine.TrialRunner;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
-import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.LoadedProgram;
+import arcomat.sim.load.NotedLines;
 import arcomat.source.SourceFile;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
@@ -31,6 +35,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -67,7 +72,9 @@ class CampaignCoverageTest {
                 .programs()
                 .forEach(
                         (key, each) -> {
-                            List<LineProbe> lines = ready.freight().coverage().programs().get(key);
+                            ProgramItems items = ready.freight().coverage().programs().get(key);
+                            List<NotedLines> lines =
+                                    items.automata().stream().map(OfClass::lines).toList();
                             programs.put(
                                     key,
                                     LoadedProgram.forMany(
@@ -119,7 +126,49 @@ class CampaignCoverageTest {
         for (int i = 0; i < items.automata().size(); i++) {
             AutomatonItems each = items.automata().get(i);
             assertThat(each.transitions()).allMatch(AutomatonItems.Transition::coded);
-            assertThat(row.reached().contains(items.initial(i, 0))).isTrue();
+            assertThat(row.reached().contains(items.ofAutomaton(i).initial())).isTrue();
         }
+    }
+
+    /**
+     * What several parts have covered together is what an automaton has. The two fetchers have the
+     * same parts, and do not do the same: one of them has coffee.
+     */
+    @Test
+    void partsAreThoseOfTheRobots() {
+        CoverageItems items = ready.items();
+        assertThat(items.parts().stream().map(PartItems::name))
+                .doesNotHaveDuplicates()
+                .contains("empty.avoidCrash", "loaded.avoidCrash");
+        Row row = new TrialRunner(ready.freight()).apply(Trials.of(ready.campaign()).trial(0));
+        List<ItemNumbers> numbers = items.ofParts();
+        Map<Integer, BitSet> together = new TreeMap<>();
+        for (int i = 0; i < numbers.size(); i++) {
+            PartItems part = items.parts().get(i);
+            BitSet taken = taken(row, numbers.get(i), items.automata().get(part.automaton()));
+            assertThat(row.reached().contains(numbers.get(i).initial())).isTrue();
+            together.computeIfAbsent(part.automaton(), a -> new BitSet()).or(taken);
+        }
+        for (int i = 0; i < items.automata().size(); i++) {
+            assertThat(taken(row, items.ofAutomaton(i), items.automata().get(i)))
+                    .isEqualTo(together.get(i));
+        }
+        assertThat(taken(row, items, "empty.avoidCrash"))
+                .isNotEqualTo(taken(row, items, "loaded.avoidCrash"));
+    }
+
+    private static BitSet taken(Row row, CoverageItems items, String name) {
+        List<String> names = items.parts().stream().map(PartItems::name).toList();
+        PartItems part = items.parts().get(names.indexOf(name));
+        ItemNumbers numbers = items.ofParts().get(names.indexOf(name));
+        return taken(row, numbers, items.automata().get(part.automaton()));
+    }
+
+    private static BitSet taken(Row row, ItemNumbers numbers, AutomatonItems automaton) {
+        BitSet taken = new BitSet();
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            taken.set(i, row.reached().contains(numbers.transition() + i));
+        }
+        return taken;
     }
 }

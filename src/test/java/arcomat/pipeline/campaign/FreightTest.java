@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.ItemProbes;
+import arcomat.pipeline.campaign.engine.ProgramItems;
+import arcomat.pipeline.campaign.engine.ProgramItems.OfClass;
 import arcomat.pipeline.campaign.joint.JointFreight;
-import arcomat.sim.load.LineProbe;
+import arcomat.sim.load.NotedLines;
 import arcomat.sim.load.Program;
 
 import org.junit.jupiter.api.Test;
@@ -59,9 +61,15 @@ class FreightTest {
                 .doesNotHaveDuplicates();
     }
 
-    private static Freight covering(int transitions, LineProbe... probes) {
-        ItemProbes coverage =
-                new ItemProbes(transitions, Map.of("key /\n", List.of(probes), "other", List.of()));
+    private static ProgramItems items(int line, int number, ProgramItems.OfPart... parts) {
+        NotedLines lines = new NotedLines("p.Main", List.of(line, 0, 9));
+        return new ProgramItems(
+                "p.Whole", List.of(new OfClass(number, 4, 1, lines)), List.of(parts));
+    }
+
+    private static Freight covering(int transitions, ProgramItems items) {
+        ProgramItems none = new ProgramItems("p.None", List.of(), List.of());
+        ItemProbes coverage = new ItemProbes(transitions, Map.of("key /\n", items, "other", none));
         return new Freight(
                 "1",
                 "",
@@ -75,17 +83,20 @@ class FreightTest {
     }
 
     @Test
-    void probesTravelWithTheirPrograms() throws Exception {
-        Freight freight = covering(2, new LineProbe("p.Main", 7, 0), new LineProbe("p.Main", 9, 2));
+    void whatRunsMayCoverTravelsWithTheirPrograms() throws Exception {
+        ProgramItems.OfPart whole = new ProgramItems.OfPart("one", 6, "");
+        ProgramItems.OfPart cell = new ProgramItems.OfPart("other", 8, "section1.cells[3]");
+        Freight freight = covering(2, items(7, 0, whole, cell));
         assertThat(Freight.unpacked(freight.packed()).coverage()).isEqualTo(freight.coverage());
         assertThat(
                         Stream.of(
                                         freight,
-                                        covering(3, new LineProbe("p.Main", 7, 0)),
-                                        covering(2, new LineProbe("p.Main", 7, 0)),
-                                        covering(2, new LineProbe("p.Main", 8, 0)),
-                                        covering(2, new LineProbe("p.Main", 7, 1)),
-                                        covering(2))
+                                        covering(2, items(7, 0, cell, whole)),
+                                        covering(2, items(7, 0, whole)),
+                                        covering(3, items(7, 0)),
+                                        covering(2, items(7, 0)),
+                                        covering(2, items(8, 0)),
+                                        covering(2, items(7, 1)))
                                 .map(Freight::hash))
                 .doesNotHaveDuplicates();
     }

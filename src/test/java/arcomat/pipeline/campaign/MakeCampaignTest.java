@@ -11,6 +11,7 @@ import arcomat.campaign.Trial;
 import arcomat.campaign.coverage.AutomatonItems;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.PartItems;
 import arcomat.campaign.coverage.ReachedItems;
 import arcomat.campaign.statistics.Decision;
 import arcomat.pipeline.Progress;
@@ -60,6 +61,7 @@ class MakeCampaignTest {
                                             new AutomatonItems.State(3, "off"),
                                             new AutomatonItems.State(3, "on")),
                                     List.of(0))),
+                    List.of(new PartItems("one", "lamp", 0), new PartItems("other", "lamp", 0)),
                     List.of());
 
     @TempDir private Path folder;
@@ -73,6 +75,8 @@ class MakeCampaignTest {
         reached.set(0, trial.seed() % 50 == 3);
         reached.set(1, trial.seed() > 490);
         reached.set(3);
+        reached.set(4, trial.seed() % 50 == 3); // by one
+        reached.set(9, trial.seed() > 490); // by the other
         return Row.made(trial, answers, ReachedItems.of(reached));
     }
 
@@ -202,6 +206,8 @@ class MakeCampaignTest {
         Coverage.OfAutomaton lamp = one.coverage().automata().get(0);
         assertThat(lamp.transitions()).containsExactly(10L, 10L, 0L);
         assertThat(lamp.states()).containsExactly(500L, 10L);
+        assertThat(lamp.parts().get(0).transitions()).containsExactly(10L, 0L, 0L);
+        assertThat(lamp.parts().get(1).transitions()).containsExactly(0L, 10L, 0L);
     }
 
     @ParameterizedTest

@@ -3,6 +3,7 @@ package arcomat.pipeline.compile;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.generate.AutomatonLines;
+import arcomat.generate.CodeLayout;
 import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
@@ -11,14 +12,15 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.pipeline.brick.CoffeeRobot;
 import arcomat.pipeline.brick.ForwardingObserver;
-import arcomat.semantics.network.Network;
+import arcomat.pipeline.generate.ProgramParts;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.LineNotes;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
-import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.LoadedProgram;
+import arcomat.sim.load.NotedLines;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
@@ -33,7 +35,6 @@ import org.junit.jupiter.api.TestFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -106,7 +107,7 @@ class RobotTruthTest {
 
         Interpreter interpreter = new Interpreter(robot.component(), List.of(), Choice.first());
         Trace interpreted = Simulation.run(interpreter, letters);
-        assertThat(seen.taken()).isEqualTo(taken(interpreter.network(), interpreted)).isNotEmpty();
+        assertThat(seen.taken()).isEqualTo(taken(interpreted)).isNotEmpty();
         Trace ran = Simulation.run(new CompiledExecution(compiled, List.of(), 0), letters);
         assertThat(ran).isEqualTo(interpreted);
         for (int slice = 0; slice < letters.size(); slice++) {
@@ -120,19 +121,16 @@ class RobotTruthTest {
      * What is seen of a run on a brick.
      *
      * @param slices every port of every component with its message, slice by slice
-     * @param taken transitions that were taken, by components and their places there
+     * @param taken transitions that were taken, by the paths of parts and their places there
      */
     private record Seen(List<Map<String, Value>> slices, Set<String> taken) {}
 
-    private static Set<String> taken(Network network, Trace trace) {
-        Map<String, Component> parts = new HashMap<>();
-        network.instances().forEach(each -> parts.put(each.path(), each.component()));
+    private static Set<String> taken(Trace trace) {
         Set<String> taken = new TreeSet<>();
         for (Trace.Step step : trace.steps()) {
             for (Trace.Activity each : step.activities()) {
                 if (each.cause() instanceof Trace.Taken transition) {
-                    String component = parts.get(each.instance()).qualifiedName();
-                    taken.add(component + " " + transition.index());
+                    taken.add(each.instance() + " " + transition.index());
                 }
             }
         }
@@ -140,31 +138,55 @@ class RobotTruthTest {
     }
 
     private static Seen onBrick(CoffeeRobot robot, Script script) {
-        List<String> transitions = new ArrayList<>();
-        List<LineProbe> probes = new ArrayList<>();
+        List<NotedLines> noted = new ArrayList<>();
         for (AutomatonLines each : robot.generation().layout().automata()) {
-            each.lines()
-                    .transitions()
-                    .forEach(
-                            (index, line) -> {
-                                probes.add(
-                                        new LineProbe(each.className(), line, transitions.size()));
-                                transitions.add(each.component().qualifiedName() + " " + index);
-                            });
+            List<Integer> lines = new ArrayList<>();
+            for (int i = 0; i < each.automaton().transitions().size(); i++) {
+                lines.add(each.lines().transitions().getOrDefault(i, 0));
+            }
+            noted.add(new NotedLines(each.className(), lines));
         }
+        noted.add(new NotedLines(place(robot).className(), List.of()));
         Set<String> taken = new TreeSet<>();
         List<Map<String, Value>> slices = new ArrayList<>();
         try (Laboratory laboratory = new Laboratory()) {
             LoadedProgram program =
-                    LoadedProgram.forMany(robot.program(), List.of(), probes).onThreads();
+                    LoadedProgram.forMany(robot.program(), List.of(), noted).onThreads();
             SimulatedBrick brick = laboratory.place("robot", program);
             brick.observe(new Looker(robot, slices));
             brick.play(script);
             laboratory.runToEnd(60_000);
             assertThat(brick.outcome().failure()).isEmpty();
-            brick.reached().stream().mapToObj(transitions::get).forEach(taken::add);
+            ProgramParts.of(robot.component())
+                    .keySet()
+                    .forEach(path -> taken.addAll(taken(robot, path, brick.notes())));
         }
         return new Seen(slices, taken);
+    }
+
+    private static CodeLayout.Place place(CoffeeRobot robot) {
+        return robot.generation().layout().components().get(robot.component().qualifiedName());
+    }
+
+    /** What the object has noted to which fields lead from that of the whole. */
+    private static Set<String> taken(CoffeeRobot robot, String path, List<LineNotes> notes) {
+        Object object =
+                notes.stream()
+                        .map(LineNotes::object)
+                        .filter(each -> each.getClass().getName().equals(place(robot).className()))
+                        .findFirst()
+                        .orElseThrow();
+        if (!path.isEmpty()) {
+            CodeLayout layout = robot.generation().layout();
+            object = Slot.follow(object, ProgramParts.fields(robot.component(), path, layout));
+        }
+        Set<String> taken = new TreeSet<>();
+        for (LineNotes each : notes) {
+            if (each.object() == object) {
+                each.numbers().stream().forEach(number -> taken.add(path + " " + number));
+            }
+        }
+        return taken;
     }
 
     /** Looks at the components whenever the program sleeps. */

@@ -42,7 +42,12 @@ class IncrementalCheckTest {
             while (models.size() < FILES) {
                 models.add();
             }
-            Edited session = new Edited(folder, random.nextBoolean(), random.nextBoolean());
+            Edited session =
+                    new Edited(
+                            folder,
+                            random.nextBoolean(),
+                            random.nextBoolean(),
+                            random.nextBoolean());
             session.check("at first");
             for (int round = 0; round < ROUNDS; round++) {
                 StringBuilder what = new StringBuilder();
@@ -56,9 +61,13 @@ class IncrementalCheckTest {
         }
     }
 
-    private record Edited(Path folder, boolean executable, boolean byFile) {
+    /**
+     * @param library whether what is not named belongs to a library
+     */
+    private record Edited(Path folder, boolean executable, boolean byFile, boolean library) {
         void check(String after) throws IOException {
-            Session session = Session.in(folder, Progress.NONE);
+            List<String> libraries = byFile && library ? List.of(".") : List.of();
+            Session session = Session.in(folder, Progress.NONE).with(libraries);
             List<String> paths = byFile ? files() : List.of(".");
             CheckResult full;
             Recheck again;

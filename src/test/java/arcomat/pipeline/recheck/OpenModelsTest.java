@@ -43,6 +43,9 @@ class OpenModelsTest {
             StringBuilder what = new StringBuilder("at first");
             for (int round = 0; round < ROUNDS; round++) {
                 open = open.with(edit(open, folder));
+                if (random.nextBoolean()) {
+                    open = checkSome(open, random, folder, executable, what.toString());
+                }
                 // Not every edit is checked: some are followed by the next too soon.
                 if (round == 0 || random.nextInt(3) > 0) {
                     open = open.check(() -> {});
@@ -58,8 +61,27 @@ class OpenModelsTest {
         }
     }
 
+    /** What is not due is known as well as after a check of all. */
+    private static OpenModels checkSome(
+            OpenModels open, Random random, Path folder, boolean executable, String what) {
+        int share = random.nextInt(4);
+        OpenModels checked = open.check(path -> path.hashCode() % 4 < share, () -> {});
+        Set<String> due = checked.due();
+        assertThat(text(findings(checked).filter(each -> !due.contains(path(each)))))
+                .as("in part, " + what)
+                .isEqualTo(
+                        text(
+                                findings(folder, executable).stream()
+                                        .filter(each -> !due.contains(path(each)))));
+        return checked;
+    }
+
+    private static String path(Diagnostic finding) {
+        return finding.span().file().path();
+    }
+
     /** The difference between what is open and what lies in the folder. */
-    private static OpenModels.Edit edit(OpenModels open, Path folder) throws IOException {
+    static OpenModels.Edit edit(OpenModels open, Path folder) throws IOException {
         List<SourceFile> written = new ArrayList<>();
         List<Diagnostic> unreadable = new ArrayList<>();
         Set<String> removed = new HashSet<>(open.paths());
@@ -81,13 +103,21 @@ class OpenModelsTest {
     }
 
     private static String found(OpenModels open) {
-        return text(open.checkedPaths().stream().flatMap(path -> open.findings(path).stream()));
+        return text(findings(open));
+    }
+
+    private static Stream<Diagnostic> findings(OpenModels open) {
+        return open.checkedPaths().stream().flatMap(path -> open.findings(path).stream());
     }
 
     private static String found(Path folder, boolean executable) {
+        return text(findings(folder, executable).stream());
+    }
+
+    private static List<Diagnostic> findings(Path folder, boolean executable) {
         try {
             Session session = Session.in(folder, Progress.NONE);
-            return text(session.run(new CheckFiles(List.of("."), executable)).findings().stream());
+            return session.run(new CheckFiles(List.of("."), executable)).findings();
         } catch (WrongUse e) {
             throw new AssertionError(e);
         }

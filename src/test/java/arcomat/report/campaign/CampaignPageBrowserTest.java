@@ -18,7 +18,13 @@ import java.util.Map;
 class CampaignPageBrowserTest extends BrowserTest {
     @Override
     protected Map<String, Executable> tests() {
-        return Map.of("what a campaign found", this::look, "what is rare, and worst", this::search);
+        return Map.of(
+                "what a campaign found",
+                this::look,
+                "what is rare, and worst",
+                this::search,
+                "older tables beside it",
+                this::beside);
     }
 
     private void search() throws WrongUse {
@@ -56,6 +62,21 @@ class CampaignPageBrowserTest extends BrowserTest {
         browser.picture("campaign-print");
     }
 
+    private void beside() throws WrongUse {
+        Session session = Session.in(Path.of(""), Progress.NONE);
+        CampaignReport report = SampleCampaigns.against("yard.campaign");
+        session.run(new WriteCampaignPage(report, folder.toString()));
+        browser.open(folder.resolve("index.html").toUri().toString(), "#against-1 .beside");
+        browser.resize(1500, 2700);
+        assertThat(browser.text("#against-0")).contains("build/careful", "collision", "worse");
+        assertThat(browser.findAll("#against-0 tr.bad")).isNotEmpty();
+        assertThat(browser.findAll("#against-1 tr.bad")).isEmpty();
+        browser.find("#against-0 details summary").click();
+        assertThat(browser.text("#against-0 details")).contains("got worse", "seed ");
+        browser.picture("campaign-against");
+        narrow();
+    }
+
     private void says() {
         assertThat(browser.text(".headline")).contains("requirements fail");
         assertThat(browser.findAll("#verdicts li")).hasSize(4);
@@ -67,6 +88,10 @@ class CampaignPageBrowserTest extends BrowserTest {
         assertThat(browser.findAll("#coverage details")).hasSize(2);
         assertThat(browser.findAll("#coverage details[open]")).hasSize(1);
         assertThat(browser.findAll("#coverage .missing")).hasSize(3);
+        assertThat(browser.findAll("#coverage .never")).hasSize(2);
+        assertThat(browser.text("#coverage .never")).isEqualTo("van: none");
+        assertThat(browser.text("#coverage"))
+                .contains("truck.driver: ", "by each part", "6 of 11 transitions, 6 of 9 states");
         assertThat(browser.text("#coverage"))
                 .contains("4 of 6", "state lost", "another one is always taken first", "truck.jar");
         assertThat(browser.text("#runs code")).startsWith("arcomat world models/yard");

@@ -72,6 +72,12 @@ class CampaignPageTest {
         assertThat(json.at("/coverage/automata/1/transitions/4/number").asInt()).isEqualTo(5);
         assertThat(json.at("/coverage/automata/1/transitions/4/coded").asBoolean()).isFalse();
         assertThat(json.at("/coverage/automata/1/states/3/runs").asInt()).isZero();
+        JsonNode parts = json.at("/coverage/automata/1/parts");
+        assertThat(parts.findValuesAsText("part")).containsExactly("truck.driver", "van");
+        assertThat(parts.at("/0/transitions/2").asLong()).isPositive();
+        assertThat(parts.at("/1/transitions/2").asLong()).isZero();
+        assertThat(parts.at("/1/number").asInt()).isEqualTo(14);
+        assertThat(json.at("/coverage/automata/0/parts/0/number").asInt()).isZero();
         assertThat(json.at("/coverage/jars/0").asText()).isEqualTo("truck.jar");
         // Some never got there: the greatest time is none, and the histogram says how many.
         JsonNode reached = json.at("/measures/1");
@@ -93,5 +99,22 @@ class CampaignPageTest {
                                 + " --report build/run",
                         "arcomat world models/yard/world/yard.world --seed 7 --set 'who=$HOME'"
                                 + " --report build/run");
+    }
+
+    /** What is worse than before turns the page red, although nothing was required. */
+    @Test
+    void olderTablesStandBeside() throws IOException {
+        CampaignReport report = SampleCampaigns.against("a");
+        JsonNode json = new ObjectMapper().readTree(CampaignJson.render(report));
+        assertThat(json.get("verdict").asText()).isEqualTo("fails");
+        assertThat(json.get("headline").asText()).endsWith(": something is worse than before");
+        assertThat(json.at("/against/0/name").asText()).isEqualTo("build/careful");
+        assertThat(json.at("/against/0/pairs").asLong()).isEqualTo(500);
+        assertThat(json.at("/against/0/events/0/decision").asText()).isEqualTo("worse");
+        assertThat(json.at("/against/0/events/0/better").asLong()).isZero();
+        assertThat(json.at("/against/0/events/0/firstWorse")).hasSize(20);
+        assertThat(json.at("/against/1/pairs").asLong()).isZero();
+        assertThat(json.at("/against/1/events/0/decision").asText()).isEqualTo("undecided");
+        assertThat(json.at("/against/1/remarks/0").asText()).contains("intervals decide");
     }
 }

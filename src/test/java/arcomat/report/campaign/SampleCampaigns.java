@@ -2,6 +2,7 @@ package arcomat.report.campaign;
 
 import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignParser;
+import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judge;
 import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
@@ -9,10 +10,14 @@ import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
 import arcomat.campaign.WorstSearch;
+import arcomat.campaign.against.FinishedTable;
+import arcomat.campaign.against.TableComparison;
 import arcomat.campaign.coverage.AutomatonItems;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
 import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ItemNumbers;
+import arcomat.campaign.coverage.PartItems;
 import arcomat.campaign.coverage.ReachedItems;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Families;
@@ -81,7 +86,13 @@ final class SampleCampaigns {
                     List.of(0));
 
     private static final CoverageItems ITEMS =
-            new CoverageItems(List.of(BELL, DRIVER), List.of("truck.jar"));
+            new CoverageItems(
+                    List.of(BELL, DRIVER),
+                    List.of(
+                            new PartItems("truck", "driver", 1),
+                            new PartItems("truck", "horn.bell", 0),
+                            new PartItems("van", "", 1)),
+                    List.of("truck.jar"));
 
     private SampleCampaigns() {}
 
@@ -151,7 +162,33 @@ final class SampleCampaigns {
                 worst,
                 rare,
                 Trials.of(campaign).count(),
-                "0123456789abcdef");
+                "0123456789abcdef",
+                List.of());
+    }
+
+    /** A hasty driver beside a careful one on the same seeds, and beside itself on others. */
+    static CampaignReport against(String file) {
+        String text =
+                "world w\nvary driver of yard.Hasty\nvary light from 0 to 4\nsample random 500\n";
+        FinishedTable now = table("build/new", text);
+        return report(file, text)
+                .against(
+                        Stream.of(
+                                        table("build/careful", text.replace("Hasty", "Careful")),
+                                        table("build/others", text + "seeds from 1001\n"))
+                                .map(
+                                        old ->
+                                                new TablesReport(
+                                                        old, now, TableComparison.of(old, now)))
+                                .toList());
+    }
+
+    private static FinishedTable table(String name, String text) {
+        Campaign campaign = campaign(text);
+        Judge judge = new Judge(campaign);
+        rows(campaign).forEach(judge::see);
+        CampaignResult result = judge.result(column -> measured(campaign, column));
+        return new FinishedTable(name, campaign, result, "fedcba9876543210", () -> rows(campaign));
     }
 
     private static Measurements measured(Campaign campaign, String column) {
@@ -218,8 +255,13 @@ final class SampleCampaigns {
         }
         BitSet reached = new BitSet();
         reached.set(0, collides ? 4 : 3);
-        reached.set(ITEMS.initial(0, 0));
-        reached.set(ITEMS.initial(1, 0));
+        ItemNumbers truck = ITEMS.ofParts().get(0);
+        ItemNumbers van = ITEMS.ofParts().get(2);
+        reached.set(truck.transition(), truck.transition() + (collides ? 3 : 2));
+        reached.set(van.transition(), van.transition() + 2);
+        for (ItemNumbers each : List.of(ITEMS.ofAutomaton(0), ITEMS.ofAutomaton(1), truck, van)) {
+            reached.set(each.initial());
+        }
         return Row.made(trial, answers, ReachedItems.of(reached));
     }
 

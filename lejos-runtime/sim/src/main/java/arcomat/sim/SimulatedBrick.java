@@ -4,6 +4,7 @@ import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.Hardware;
 import arcomat.sim.device.Key;
 import arcomat.sim.device.Limits;
+import arcomat.sim.device.LineNotes;
 import arcomat.sim.device.MotorDevice;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.Observer;
@@ -19,7 +20,6 @@ import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
 import java.lang.invoke.MethodHandle;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -36,7 +36,7 @@ public final class SimulatedBrick implements Action.Receiver {
     SimulatedBrick(
             String name, LoadedProgram program, VirtualTime time, Ether ether, Limits limits) {
         threads = new ProgramThreads(name, time, this::programOver, program.carriers());
-        hardware = new Hardware(name, time, threads, ether.join(name), limits, program.numbers());
+        hardware = new Hardware(name, time, threads, ether.join(name), limits);
         loader = program.take(hardware);
         threads.startMain(() -> runMain(program.mainClass()));
     }
@@ -146,14 +146,12 @@ public final class SimulatedBrick implements Action.Receiver {
         return hardware.screen().rows();
     }
 
-    /** The numbers of those lines that the program has come to, of those that are noted. */
-    public BitSet reached() {
-        boolean[] noted = hardware.reached();
-        BitSet numbers = new BitSet(noted.length);
-        for (int number = 0; number < noted.length; number++) {
-            numbers.set(number, noted[number]);
-        }
-        return numbers;
+    /**
+     * Which lines objects of the program have come to, of those that are noted; in the order in
+     * which they were made.
+     */
+    public List<LineNotes> notes() {
+        return hardware.notes();
     }
 
     public void setBattery(int millivolts) {

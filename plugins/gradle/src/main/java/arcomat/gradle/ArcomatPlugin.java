@@ -46,6 +46,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
                             task.getDirectory().set(project.getRootDir());
                             task.getMaxHeapSize().convention(settings.getMaxHeapSize());
                         });
+        new ModelLibraries(project).register(main);
         new ModelTasks(project, settings, main, test).register();
         new CodeTasks(project, settings, main).register(java);
     }

@@ -1,12 +1,12 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.GradleException;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Internal;
 import org.gradle.api.tasks.UntrackedTask;
-
-import java.util.List;
 
 /** Writes down what is found today, so that checks tell only what is new. */
 @UntrackedTask(because = "Who starts it wants the file written anew.")
@@ -20,12 +20,12 @@ public abstract class BaselineArc extends ModelTask {
     public abstract RegularFileProperty getBaseline();
 
     @Override
-    final List<String> command() {
+    final ToolCommand command() {
         if (!getBaseline().isPresent()) {
             throw new GradleException("say where: arcomat { baseline = file('known.txt') }");
         }
         String file = shown(getBaseline().get().getAsFile());
-        return List.of("check", "--profile", getProfile().get(), "--write-baseline", file);
+        return ToolCommand.of("check", "--profile", getProfile().get(), "--write-baseline", file);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.OutputFile;
@@ -16,8 +18,8 @@ public abstract class BrickCheck extends JarTask {
     public abstract RegularFileProperty getReport();
 
     @Override
-    final List<String> command(File jar) {
-        return List.of("check-brick", "--jar", shown(jar));
+    final ToolCommand command(File jar) {
+        return ToolCommand.checkBrick(shown(jar));
     }
 
     @Override

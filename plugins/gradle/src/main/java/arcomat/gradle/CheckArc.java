@@ -1,6 +1,9 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.GradleException;
+import org.gradle.api.file.RegularFile;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
@@ -13,8 +16,6 @@ import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
 
 import java.io.File;
-import java.util.ArrayList;
-import java.util.List;
 
 /** Reports what is wrong with models. */
 @CacheableTask
@@ -50,16 +51,12 @@ public abstract class CheckArc extends ReportTask {
     public abstract RegularFileProperty getSarif();
 
     @Override
-    final List<String> question() {
-        List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
-        command.addAll(List.of("--state", shown(getMemory().get().getAsFile()), "--verbose"));
-        if (getWarningsFail().get()) {
-            command.add("--strict");
-        }
-        if (getBaseline().isPresent()) {
-            command.addAll(List.of("--baseline", baseline(getBaseline().get().getAsFile())));
-        }
-        return command;
+    final ToolCommand question() {
+        return ToolCommand.check(
+                getProfile().get(),
+                shown(getMemory().get().getAsFile()),
+                getWarningsFail().get(),
+                said(getBaseline()).map(RegularFile::getAsFile).map(this::baseline));
     }
 
     private String baseline(File file) {

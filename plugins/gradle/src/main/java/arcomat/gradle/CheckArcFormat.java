@@ -1,10 +1,10 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.OutputFile;
-
-import java.util.List;
 
 /** Fails when a model is not in canonical form. */
 @CacheableTask
@@ -14,8 +14,8 @@ public abstract class CheckArcFormat extends ModelTask {
     public abstract RegularFileProperty getReport();
 
     @Override
-    final List<String> command() {
-        return List.of("format", "--check");
+    final ToolCommand command() {
+        return ToolCommand.of("format", "--check");
     }
 
     @Override

@@ -1,15 +1,15 @@
 package arcomat.gradle;
 
-import org.gradle.api.tasks.UntrackedTask;
+import arcomat.plugin.ToolCommand;
 
-import java.util.List;
+import org.gradle.api.tasks.UntrackedTask;
 
 /** Rewrites models in canonical form. */
 @UntrackedTask(because = "It writes what it reads.")
 public abstract class FormatArc extends ModelTask {
     @Override
-    final List<String> command() {
-        return List.of("format");
+    final ToolCommand command() {
+        return ToolCommand.of("format");
     }
 
     @Override

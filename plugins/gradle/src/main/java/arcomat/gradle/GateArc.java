@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.GradleException;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.ListProperty;
@@ -8,9 +10,6 @@ import org.gradle.api.tasks.Internal;
 import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.UntrackedTask;
 import org.gradle.api.tasks.options.Option;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** Compares every component with what it was: fails where one breaks a promise without a reason. */
 @UntrackedTask(because = "The models as they were are not a part of the project.")
@@ -54,23 +53,20 @@ public abstract class GateArc extends ReportTask {
     public abstract RegularFileProperty getJunitXml();
 
     @Override
-    final List<String> question() {
+    final ToolCommand question() {
         if (getBase().get().isEmpty()) {
             throw new GradleException(
                     "compare with what? name the model root of another checkout:"
                             + " gateArc --base=../main/src/main/arc");
         }
-        List<String> command = new ArrayList<>(List.of("gate"));
-        getBase().get().forEach(each -> command.addAll(List.of("--base", each)));
-        getCampaigns().get().forEach(each -> command.addAll(List.of("--campaign", each)));
-        add(command, "--cluster", getCluster());
-        add(command, "--at", getAddress());
-        add(command, "--secret", getSecret());
-        if (getIdeal().getOrElse(false)) {
-            command.add("--no-limits");
-        }
-        add(command, "--timeout", getSeconds());
-        return command;
+        return ToolCommand.of("gate")
+                .with("--base", getBase().get())
+                .with("--campaign", getCampaigns().get())
+                .with("--cluster", said(getCluster()))
+                .with("--at", said(getAddress()))
+                .with("--secret", said(getSecret()))
+                .with("--no-limits", getIdeal().getOrElse(false))
+                .with("--timeout", said(getSeconds()));
     }
 
     @Override

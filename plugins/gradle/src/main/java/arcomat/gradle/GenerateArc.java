@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.ConfigurableFileCollection;
 import org.gradle.api.file.DirectoryProperty;
 import org.gradle.api.provider.Property;
@@ -12,9 +14,6 @@ import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputDirectory;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** Writes code for models: for a target that the tool has, or with templates of one's own. */
 @CacheableTask
@@ -50,16 +49,13 @@ public abstract class GenerateArc extends ModelTask {
     public abstract DirectoryProperty getOutput();
 
     @Override
-    final List<String> command() {
+    final ToolCommand command() {
         String target =
                 getTemplates().isPresent()
                         ? shown(getTemplates().get().getAsFile())
                         : getTarget().get();
-        List<String> command = new ArrayList<>(List.of("generate", "--target", target));
-        command.addAll(List.of("--out", shown(getOutput().get().getAsFile())));
-        command.addAll(List.of("--choose", getChoose().get()));
-        add(command, "--main", getMain());
-        return command;
+        return ToolCommand.generate(
+                target, shown(getOutput().get().getAsFile()), getChoose().get(), said(getMain()));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.ConfigurableFileCollection;
 import org.gradle.api.tasks.IgnoreEmptyDirectories;
 import org.gradle.api.tasks.InputFiles;
@@ -20,10 +22,10 @@ public abstract class JarTask extends ToolTask {
     public abstract ConfigurableFileCollection getJars();
 
     /** What to do with a jar. */
-    abstract List<String> command(File jar);
+    abstract ToolCommand command(File jar);
 
     @Override
-    final List<List<String>> commands() {
+    final List<ToolCommand> commands() {
         return getJars().getFiles().stream().sorted().map(this::command).toList();
     }
 }

@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ModelFiles;
+
 import org.gradle.api.Project;
 import org.gradle.api.file.FileTree;
 import org.gradle.api.file.SourceDirectorySet;
@@ -44,6 +46,11 @@ final class ModelSources {
     void readBy(ModelTask task) {
         task.getModels().from(directories);
         task.getRoots().addAll(project.provider(this::roots));
+    }
+
+    /** What other projects may refer to, and what their robots need of it. */
+    FileTree forOthers() {
+        return directories.matching(files -> files.include(ModelFiles.MODELS)).plus(platformCode());
     }
 
     /** What is written by hand beside models, for targets. */

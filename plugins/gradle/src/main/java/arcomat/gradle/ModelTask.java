@@ -1,18 +1,24 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ModelFiles;
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.ConfigurableFileCollection;
+import org.gradle.api.file.DirectoryProperty;
 import org.gradle.api.file.FileTree;
 import org.gradle.api.provider.ListProperty;
 import org.gradle.api.provider.Provider;
 import org.gradle.api.tasks.IgnoreEmptyDirectories;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
 import org.gradle.api.tasks.SkipWhenEmpty;
 
-import java.util.ArrayList;
+import java.io.File;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** A task about models. */
 public abstract class ModelTask extends ToolTask {
@@ -35,24 +41,40 @@ public abstract class ModelTask extends ToolTask {
     @Input
     public abstract ListProperty<String> getRoots();
 
+    /**
+     * Folders with models of other projects, which these may refer to: model roots, of which
+     * nothing is told or made here.
+     */
+    @InputFiles
+    @Optional
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract DirectoryProperty getLibraries();
+
     /** What to do with the models: a command without their names. */
-    abstract List<String> command();
+    abstract ToolCommand command();
 
     /** Tells what came of it; an exception fails the task. */
     abstract void conclude(ToolResult result);
 
-    /** Adds an option if the build has a value for it. */
-    static void add(List<String> command, String option, Provider<?> value) {
-        if (value.isPresent()) {
-            command.addAll(List.of(option, value.get().toString()));
-        }
+    /** What the build says, if it says something. */
+    static <T> java.util.Optional<T> said(Provider<T> value) {
+        return java.util.Optional.ofNullable(value.getOrNull());
     }
 
     @Override
-    final List<List<String>> commands() {
-        List<String> command = new ArrayList<>(command());
-        getModels().getFiles().stream().map(this::shown).sorted().forEach(command::add);
-        return List.of(command);
+    final List<ToolCommand> commands() {
+        return List.of(command().about(shown(getModels().getFiles().stream()), libraries()));
+    }
+
+    private List<String> libraries() {
+        return getLibraries().isPresent()
+                ? shown(ModelFiles.roots(getLibraries().get().getAsFile()).stream())
+                : List.of();
+    }
+
+    private List<String> shown(Stream<File> files) {
+        return files.map(this::shown).sorted().toList();
     }
 
     @Override

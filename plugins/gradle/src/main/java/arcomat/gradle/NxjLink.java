@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.GradleException;
 import org.gradle.api.file.DirectoryProperty;
 import org.gradle.api.provider.Property;
@@ -24,7 +26,7 @@ public abstract class NxjLink extends JarTask {
     public abstract DirectoryProperty getOutput();
 
     @Override
-    final List<String> command(File jar) {
+    final ToolCommand command(File jar) {
         if (!getNxjHome().isPresent()) {
             throw new GradleException(
                     "linking needs leJOS NXJ 0.9.1: install it, and set NXJ_HOME, or nxjHome in"
@@ -32,7 +34,7 @@ public abstract class NxjLink extends JarTask {
         }
         String name = jar.getName().replaceFirst("\\.jar$", ".nxj");
         String program = shown(getOutput().file(name).get().getAsFile());
-        return List.of(
+        return ToolCommand.of(
                 "link", "--jar", shown(jar), "--out", program, "--nxj-home", getNxjHome().get());
     }
 

@@ -1,12 +1,13 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Internal;
 import org.gradle.api.tasks.OutputFile;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Optional;
 
 /** A task whose result is a report: a text for people, and what machines read beside it. */
 public abstract class ReportTask extends ModelTask {
@@ -19,7 +20,7 @@ public abstract class ReportTask extends ModelTask {
     public abstract Property<String> getLogFormat();
 
     /** What to look for: a command without its reports. */
-    abstract List<String> question();
+    abstract ToolCommand question();
 
     /** The report that machines read, as {@code FORMAT=FILE}. */
     abstract String machineReport();
@@ -28,12 +29,10 @@ public abstract class ReportTask extends ModelTask {
     abstract void praise(ToolResult result);
 
     @Override
-    final List<String> command() {
-        List<String> command = new ArrayList<>(question());
-        command.addAll(List.of("--format", getLogFormat().get()));
-        command.addAll(List.of("--report", "text=" + shown(getReport().get().getAsFile())));
-        command.addAll(List.of("--report", machineReport()));
-        return command;
+    final ToolCommand command() {
+        return question()
+                .with("--format", Optional.of(getLogFormat().get()))
+                .reporting(shown(getReport().get().getAsFile()), machineReport());
     }
 
     @Override

@@ -1,13 +1,12 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.UntrackedTask;
 import org.gradle.api.tasks.options.Option;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** Runs a component and prints what happened, slice by slice. */
 @UntrackedTask(because = "Its result is what it prints.")
@@ -43,15 +42,14 @@ public abstract class SimulateArc extends ModelTask {
     public abstract Property<String> getTrace();
 
     @Override
-    final List<String> command() {
-        List<String> command = new ArrayList<>(List.of("simulate"));
-        add(command, "--main", getMain());
-        add(command, "--slices", getSlices());
-        add(command, "--seed", getSeed());
-        add(command, "--choose", getChoose());
-        add(command, "--input", getStreams());
-        add(command, "--trace", getTrace());
-        return command;
+    final ToolCommand command() {
+        return ToolCommand.of("simulate")
+                .with("--main", said(getMain()))
+                .with("--slices", said(getSlices()))
+                .with("--seed", said(getSeed()))
+                .with("--choose", said(getChoose()))
+                .with("--input", said(getStreams()))
+                .with("--trace", said(getTrace()));
     }
 
     @Override

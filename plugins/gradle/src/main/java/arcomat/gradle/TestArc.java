@@ -1,11 +1,11 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.FileTree;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.OutputFile;
-
-import java.util.List;
 
 /** Runs the stream tests of models; one that stays unknown fails as well. */
 @CacheableTask
@@ -21,8 +21,8 @@ public abstract class TestArc extends ReportTask {
     public abstract RegularFileProperty getJunitXml();
 
     @Override
-    final List<String> question() {
-        return List.of("test");
+    final ToolCommand question() {
+        return ToolCommand.test();
     }
 
     @Override

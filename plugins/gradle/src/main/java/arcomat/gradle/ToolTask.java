@@ -1,5 +1,7 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.Action;
 import org.gradle.api.DefaultTask;
 import org.gradle.api.Task;
@@ -45,8 +47,8 @@ public abstract class ToolTask extends DefaultTask {
     @Inject
     protected abstract WorkerExecutor getWorkers();
 
-    /** What to run: commands with their arguments. */
-    abstract List<List<String>> commands();
+    /** What to run. */
+    abstract List<ToolCommand> commands();
 
     /** Tells what came of the commands, in their order; an exception fails the task. */
     abstract void conclude(List<ToolResult> results);
@@ -62,14 +64,14 @@ public abstract class ToolTask extends DefaultTask {
                                     worker.getForkOptions().jvmArgs("-XX:+UseSerialGC");
                                 });
         int number = 0;
-        for (List<String> command : commands()) {
-            getLogger().info("arcomat {}", String.join(" ", command));
+        for (ToolCommand command : commands()) {
+            getLogger().info(command.toString());
             ToolOutput output = new ToolOutput(getTemporaryDir(), number++);
             queue.submit(
                     ToolRun.class,
                     it -> {
                         it.getDirectory().set(getDirectory());
-                        it.getArguments().set(command);
+                        it.getArguments().set(command.words());
                         it.getOut().set(output.out());
                         it.getErr().set(output.err());
                         it.getStatus().set(output.status());

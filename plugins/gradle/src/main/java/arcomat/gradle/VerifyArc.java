@@ -1,14 +1,13 @@
 package arcomat.gradle;
 
+import arcomat.plugin.ToolCommand;
+
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** Proves all that models say they keep; what stays unknown fails as well. */
 @CacheableTask
@@ -23,10 +22,8 @@ public abstract class VerifyArc extends ReportTask {
     public abstract RegularFileProperty getSarif();
 
     @Override
-    final List<String> question() {
-        List<String> command = new ArrayList<>(List.of("verify"));
-        add(command, "--timeout", getSeconds());
-        return command;
+    final ToolCommand question() {
+        return ToolCommand.verify(said(getSeconds()));
     }
 
     @Override

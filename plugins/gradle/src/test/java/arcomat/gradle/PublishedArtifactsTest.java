@@ -36,6 +36,7 @@ class PublishedArtifactsTest {
             + " asm-tree ecj freemarker gson guava hipparchus-core hppc jackson-databind jsvg"
             + " org.eclipse.elk.alg.layered org.eclipse.emf.ecore org.eclipse.lsp4j parquet-floor"
             + " picocli slf4j-nop smtinterpol",
+        "arcomat-api, jspecify",
         "arcomat-brick-api, asm",
         "arcomat-brick-simulation, arcomat-brick-api asm asm-analysis asm-tree",
         "arcomat-cluster-hazelcast, arcomat hazelcast",
@@ -68,6 +69,7 @@ class PublishedArtifactsTest {
     @ParameterizedTest
     @CsvSource({
         "arcomat, arcomat/cli/Main",
+        "arcomat-api, arcomat/guest/Guest",
         "arcomat-brick-api, arcomat/brick/api/StubJar",
         "arcomat-brick-simulation, lejos/nxt/Motor",
         "arcomat-cluster-hazelcast, arcomat/cluster/hazelcast/HazelcastProvider",

@@ -1,17 +1,23 @@
 package arcomat.maven;
 
+import arcomat.plugin.ToolCommand;
+
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
 import org.apache.maven.plugins.annotations.Parameter;
+import org.apache.maven.plugins.annotations.ResolutionScope;
 
 import java.io.File;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Optional;
 
 /** Reports what is wrong with models. */
-@Mojo(name = "check", defaultPhase = LifecyclePhase.INITIALIZE, threadSafe = true)
+@Mojo(
+        name = "check",
+        defaultPhase = LifecyclePhase.INITIALIZE,
+        threadSafe = true,
+        requiresDependencyResolution = ResolutionScope.COMPILE)
 public final class CheckMojo extends ToolMojo {
     /** What models must fulfil: {@code requirements} or {@code executable}. */
     @Parameter(property = "arcomat.profile", defaultValue = "requirements")
@@ -27,17 +33,13 @@ public final class CheckMojo extends ToolMojo {
 
     @Override
     void work() throws MojoExecutionException, MojoFailureException {
-        List<String> command = new ArrayList<>(List.of("check", "--profile", profile));
-        command.addAll(List.of("--state", shown(built("arcomat/check.state"))));
-        command.addAll(List.of("--report", "text=" + shown(built("arcomat/check.txt"))));
-        command.addAll(List.of("--report", "sarif=" + shown(built("arcomat/check.sarif"))));
-        if (warningsFail) {
-            command.add("--strict");
-        }
-        if (baseline != null) {
-            command.addAll(List.of("--baseline", shown(baseline)));
-        }
-        command.addAll(roots());
-        require(run(command));
+        String state = shown(built("arcomat/check.state"));
+        Optional<String> known = Optional.ofNullable(baseline).map(this::shown);
+        ToolCommand command =
+                ToolCommand.check(profile, state, warningsFail, known)
+                        .reporting(
+                                shown(built("arcomat/check.txt")),
+                                "sarif=" + shown(built("arcomat/check.sarif")));
+        require(run(command, folders()));
     }
 }

@@ -1,12 +1,13 @@
 package arcomat.maven;
 
+import arcomat.plugin.ToolCommand;
+
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.Parameter;
 
 import java.io.File;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Optional;
 
 /** A goal that makes code of models. */
 abstract class CodeMojo extends ToolMojo {
@@ -25,16 +26,12 @@ abstract class CodeMojo extends ToolMojo {
      */
     final void generate(String target, File out)
             throws MojoExecutionException, MojoFailureException {
-        if (models().isEmpty()) {
+        if (modelFolders().isEmpty()) {
             getLog().info("there are only tests, and no models to write code for");
             return;
         }
-        List<String> command = new ArrayList<>(List.of("generate", "--target", target));
-        command.addAll(List.of("--out", shown(out), "--choose", choose));
-        if (main != null) {
-            command.addAll(List.of("--main", main));
-        }
-        command.addAll(models());
-        require(run(command));
+        ToolCommand command =
+                ToolCommand.generate(target, shown(out), choose, Optional.ofNullable(main));
+        require(run(command, modelFolders()));
     }
 }

@@ -1,9 +1,12 @@
 package arcomat.maven;
 
+import arcomat.plugin.ToolCommand;
+
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
+import org.apache.maven.plugins.annotations.ResolutionScope;
 
 import java.io.File;
 import java.io.IOException;
@@ -14,7 +17,11 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** Makes a jar of each component that is deployed, a program for the brick, and looks at it. */
-@Mojo(name = "jar", defaultPhase = LifecyclePhase.PACKAGE, threadSafe = true)
+@Mojo(
+        name = "jar",
+        defaultPhase = LifecyclePhase.PACKAGE,
+        threadSafe = true,
+        requiresDependencyResolution = ResolutionScope.COMPILE)
 public final class JarMojo extends CodeMojo {
     @Override
     void work() throws MojoExecutionException, MojoFailureException {
@@ -31,7 +38,7 @@ public final class JarMojo extends CodeMojo {
             for (Path jar : jars(code.toPath())) {
                 Path robot = robots.resolve(jar.getFileName());
                 Files.copy(jar, robot, StandardCopyOption.REPLACE_EXISTING);
-                require(run(List.of("check-brick", "--jar", shown(robot.toFile()))));
+                require(run(ToolCommand.checkBrick(shown(robot.toFile()))));
             }
         } catch (IOException e) {
             throw new MojoExecutionException("cannot write to " + shown(built("nxt")), e);

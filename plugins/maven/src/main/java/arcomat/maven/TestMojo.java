@@ -1,21 +1,26 @@
 package arcomat.maven;
 
+import arcomat.plugin.ToolCommand;
+
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
 import org.apache.maven.plugins.annotations.Parameter;
+import org.apache.maven.plugins.annotations.ResolutionScope;
 
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.stream.Stream;
 
 /** Runs the stream tests of models; one that stays unknown fails as well. */
-@Mojo(name = "test", defaultPhase = LifecyclePhase.TEST, threadSafe = true)
+@Mojo(
+        name = "test",
+        defaultPhase = LifecyclePhase.TEST,
+        threadSafe = true,
+        requiresDependencyResolution = ResolutionScope.COMPILE)
 public final class TestMojo extends ToolMojo {
     /** Whether no test is run, as with those of Java. */
     @Parameter(property = "skipTests", defaultValue = "false")
@@ -31,12 +36,11 @@ public final class TestMojo extends ToolMojo {
             getLog().info("there are no stream tests");
             return;
         }
-        List<String> command = new ArrayList<>(List.of("test"));
-        command.addAll(List.of("--report", "text=" + shown(built("arcomat/test.txt"))));
         File results = built("surefire-reports/TEST-arc.xml");
-        command.addAll(List.of("--report", "junit=" + shown(results)));
-        command.addAll(roots());
-        require(run(command));
+        ToolCommand command =
+                ToolCommand.test()
+                        .reporting(shown(built("arcomat/test.txt")), "junit=" + shown(results));
+        require(run(command, folders()));
     }
 
     private boolean hasTests() throws MojoExecutionException {

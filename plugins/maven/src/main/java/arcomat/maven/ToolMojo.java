@@ -2,7 +2,9 @@ package arcomat.maven;
 
 import arcomat.cli.Embedded;
 import arcomat.plugin.CommandResult;
+import arcomat.plugin.ToolCommand;
 
+import org.apache.maven.artifact.DependencyResolutionRequiredException;
 import org.apache.maven.plugin.AbstractMojo;
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
@@ -10,6 +12,7 @@ import org.apache.maven.plugins.annotations.Parameter;
 import org.apache.maven.project.MavenProject;
 
 import java.io.File;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -49,7 +52,7 @@ abstract class ToolMojo extends AbstractMojo {
     public final void execute() throws MojoExecutionException, MojoFailureException {
         if (skip) {
             getLog().info("left out, as arcomat.skip says");
-        } else if (roots().isEmpty()) {
+        } else if (folders().isEmpty()) {
             getLog().info("there are no models in " + shown(models));
         } else {
             work();
@@ -68,14 +71,9 @@ abstract class ToolMojo extends AbstractMojo {
         return new File(build, path);
     }
 
-    /** The models, as the tool is told of them. */
-    final List<String> models() {
-        return models.isDirectory() ? List.of(shown(models)) : List.of();
-    }
-
-    /** Models and tests, as the tool is told of them. */
-    final List<String> roots() {
-        return folders().stream().map(this::shown).toList();
+    /** The models, without tests, as far as they are there. */
+    final List<File> modelFolders() {
+        return Stream.of(models).filter(File::isDirectory).toList();
     }
 
     /** Models and tests, as far as they are there. */
@@ -92,9 +90,30 @@ abstract class ToolMojo extends AbstractMojo {
                 : path.toString();
     }
 
+    /**
+     * Runs a command about models to its end; they may refer to those of other projects.
+     *
+     * @param roots of the project's models
+     */
+    final CommandResult run(ToolCommand command, List<File> roots) throws MojoExecutionException {
+        File folder = built("arcomat/libraries");
+        try {
+            List<File> libraries = ModelLibraries.unpack(project, folder);
+            return run(command.about(shown(roots), shown(libraries)));
+        } catch (IOException e) {
+            throw new MojoExecutionException("cannot unpack models to " + shown(folder), e);
+        } catch (DependencyResolutionRequiredException e) {
+            throw new MojoExecutionException("dependencies are not resolved", e);
+        }
+    }
+
+    private List<String> shown(List<File> files) {
+        return files.stream().map(this::shown).toList();
+    }
+
     /** Runs a command to its end; whatever it says is in the result. */
-    final CommandResult run(List<String> command) throws MojoExecutionException {
-        getLog().debug("arcomat " + String.join(" ", command));
+    final CommandResult run(ToolCommand command) throws MojoExecutionException {
+        getLog().debug(command.toString());
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         try {
@@ -103,7 +122,7 @@ abstract class ToolMojo extends AbstractMojo {
                             directory.toPath().toAbsolutePath().normalize(),
                             new PrintWriter(out, true),
                             new PrintWriter(err, true),
-                            command.toArray(String[]::new));
+                            command.words().toArray(String[]::new));
             return new CommandResult(status, out.toString(), err.toString());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

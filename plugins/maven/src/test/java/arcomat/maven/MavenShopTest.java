@@ -1,7 +1,8 @@
 package arcomat.maven;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import arcomat.maven.Maven.Outcome;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -12,9 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.nio.file.attribute.FileTime;
 import java.util.stream.Stream;
 
 /**
@@ -24,34 +23,14 @@ import java.util.stream.Stream;
 @Tag("slow")
 class MavenShopTest {
     private static final Path MODELS = Path.of("../gradle/src/test/projects/shop/src");
-    private static final Path POM = Path.of("src/test/projects/shop/pom.xml");
-
-    /** Maven's own; what was fetched once stays. */
-    private static final Path HOME = Path.of("build/maven-repository").toAbsolutePath();
-
     private static final String BUMPER = "src/main/arc/shop/Bumper.arc";
-    private static final int SECONDS = 600;
 
     @TempDir private Path folder;
 
-    /** What Maven printed. */
-    private record Outcome(int status, String text) {}
-
     @BeforeAll
     static void resolveOnce(@TempDir Path first) throws IOException, InterruptedException {
-        forget(HOME.resolve("arcomat")); // what this build has published by now
         copyShop(first);
-        Outcome outcome;
-        try {
-            outcome = run(first, List.of("verify"));
-        } catch (IOException none) {
-            assumeTrue(false, "there is no mvn: " + none.getMessage());
-            return;
-        }
-        assumeTrue(
-                !outcome.text().contains("Could not transfer artifact"),
-                "Maven cannot reach its repository");
-        assertThat(outcome.status()).as(outcome.text()).isZero();
+        Maven.resolveOnce(first);
     }
 
     @BeforeEach
@@ -67,65 +46,12 @@ class MavenShopTest {
                 Files.copy(file, copy);
             }
         }
-        String repository = Path.of(System.getProperty("repository")).toUri().toString();
-        Files.writeString(
-                folder.resolve("pom.xml"),
-                Files.readString(POM)
-                        .replace("@repository@", repository)
-                        .replace("@version@", System.getProperty("version")));
-    }
-
-    private static void forget(Path folder) throws IOException {
-        if (Files.exists(folder)) {
-            try (Stream<Path> files = Files.walk(folder)) {
-                for (Path each : files.sorted((a, b) -> b.compareTo(a)).toList()) {
-                    Files.delete(each);
-                }
-            }
-        }
+        Files.writeString(folder.resolve("pom.xml"), Maven.pom());
     }
 
     private Outcome offline(String... arguments) throws IOException, InterruptedException {
-        List<String> all = new ArrayList<>(List.of("--offline"));
-        all.addAll(List.of(arguments));
-        return run(folder, all);
+        return Maven.offline(folder, arguments);
     }
-
-    private static Outcome run(Path folder, List<String> arguments)
-            throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of("mvn", "--batch-mode", "-ntp"));
-        command.add("-Dmaven.repo.local=" + HOME);
-        String mirror = System.getenv("MAVEN_MIRROR_URL");
-        if (mirror != null) {
-            Path settings = folder.resolve("settings.xml");
-            Files.writeString(settings, MIRROR.formatted(mirror));
-            command.addAll(List.of("--settings", settings.toString()));
-        }
-        command.addAll(arguments);
-        Path log = folder.resolve("log.txt");
-        Process process =
-                new ProcessBuilder(command)
-                        .directory(folder.toFile())
-                        .redirectErrorStream(true)
-                        .redirectOutput(log.toFile())
-                        .start();
-        boolean ended = process.waitFor(SECONDS, TimeUnit.SECONDS);
-        process.destroyForcibly();
-        return new Outcome(ended ? process.exitValue() : -1, Files.readString(log));
-    }
-
-    private static final String MIRROR =
-            """
-            <settings>
-              <mirrors>
-                <mirror>
-                  <id>mirror</id>
-                  <url>%s</url>
-                  <mirrorOf>central</mirrorOf>
-                </mirror>
-              </mirrors>
-            </settings>
-            """;
 
     private void edit(String name, String old, String fresh) throws IOException {
         String text = Files.readString(folder.resolve(name));
@@ -150,6 +76,25 @@ class MavenShopTest {
         assertThat(folder.resolve("target/classes/shop/logic/Bumper.class")).exists();
         assertThat(folder.resolve("target/classes/shop/Lap.class")).exists();
         assertThat(folder.resolve("target/nxt/Rover.jar")).exists();
+    }
+
+    @Test
+    void whatHasNotChangedIsNotCompiledAgain() throws Exception {
+        assertThat(offline("compile").text()).contains("Compiling ");
+        Path code = folder.resolve("target/generated-sources/arcomat/shop/logic");
+        FileTime first = Files.getLastModifiedTime(code.resolve("Bumper.java"));
+        assertThat(offline("compile").text()).contains("Nothing to compile");
+
+        edit("src/main/arc/shop/Gear.arc", "speed = 360", "speed = 180");
+        assertThat(offline("compile").text()).contains("Compiling ");
+        assertThat(Files.getLastModifiedTime(code.resolve("Bumper.java"))).isEqualTo(first);
+        assertThat(read("target/generated-sources/arcomat/shop/logic/Gear.java")).contains("180");
+
+        Files.delete(folder.resolve("src/main/arc/shop/Rover.arc"));
+        Files.delete(folder.resolve("src/main/arc/shop/Gear.arc"));
+        assertThat(offline("compile").status()).isZero();
+        assertThat(code.resolve("Bumper.java")).exists();
+        assertThat(code.resolve("Gear.java")).doesNotExist();
     }
 
     @Test

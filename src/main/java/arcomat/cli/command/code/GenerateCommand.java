@@ -1,6 +1,7 @@
 package arcomat.cli.command.code;
 
 import arcomat.cli.command.Command;
+import arcomat.cli.option.LibraryOption;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.CheckedAnswer;
@@ -11,6 +12,7 @@ import arcomat.pipeline.generate.RobotBuilder.BrickProgram;
 import arcomat.report.brick.BrickReportText;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -85,8 +87,15 @@ public final class GenerateCommand extends Command {
                             + " repeated.")
     private List<String> monitors = new ArrayList<>();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {

@@ -3,10 +3,10 @@ package arcomat.cli.command.model;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BaselineOptions;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -74,6 +74,8 @@ public final class CheckCommand extends Command {
 
     @Mixin private ReportOptions reports = new ReportOptions();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(
             paramLabel = "PATH",
             arity = "1..*",
@@ -81,11 +83,15 @@ public final class CheckCommand extends Command {
     private List<String> paths;
 
     @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
+
+    @Override
     protected int run(Session session) throws WrongUse {
         CheckResult result = check(session);
         CheckReport report = baselines.apply(result, session);
-        Rendering rendering =
-                new CheckRendering("check", report, strict, MachineFormats.of(console()));
+        Rendering rendering = new CheckRendering("check", report, strict, machineFormats());
         reports.write(rendering, session, console());
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;

@@ -31,11 +31,11 @@ public final class ExplainCommand extends Command {
     @Override
     protected int run(Session session) throws WrongUse {
         if (code == null) {
-            Explanations.titles().forEach((name, title) -> printLine(name + "  " + title));
+            Explanations.titles(session).forEach((name, title) -> printLine(name + "  " + title));
             return ExitStatus.FINE;
         }
         String page =
-                Explanations.page(code)
+                Explanations.page(code, session)
                         .orElseThrow(
                                 () ->
                                         new WrongUse(

@@ -9,7 +9,6 @@ import arcomat.cli.option.ClusterOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -119,7 +118,7 @@ public final class GateCommand extends LimitedCommand {
         if (prepared.check().hasErrors()) {
             tellAside(prepared.check());
             reports.write(
-                    CheckRendering.refused("gate", prepared.check(), console()),
+                    CheckRendering.refused("gate", prepared.check(), machineFormats()),
                     session,
                     console());
             return ExitStatus.WRONG_USE;
@@ -159,9 +158,9 @@ public final class GateCommand extends LimitedCommand {
         return switch (format) {
             case text -> GateText.render(gate, tried, findings, style);
             case json -> GateJson.render(gate, tried, findings, aside.findings(), aside.files());
-            case sarif -> MachineFormats.of(console()).sarif(reported(outcome, aside), false);
+            case sarif -> machineFormats().sarif(reported(outcome, aside), false);
             case github ->
-                    MachineFormats.of(console())
+                    machineFormats()
                             .github(reported(outcome, aside), GateText.summary(gate, tried, style));
             case junit ->
                     JunitXml.render(
@@ -188,13 +187,13 @@ public final class GateCommand extends LimitedCommand {
                     + refusal("the new models", paths, result.check(), style);
         }
         CheckResult both = result.base().and(result.check());
-        return CheckRendering.refused("gate", both, console()).text(format, style);
+        return CheckRendering.refused("gate", both, machineFormats()).text(format, style);
     }
 
     private String refusal(String side, List<String> where, CheckResult check, Style style) {
         return check.hasErrors()
                 ? "%s (%s):\n".formatted(side, String.join(", ", where))
-                        + CheckRendering.refused("gate", check, console())
+                        + CheckRendering.refused("gate", check, machineFormats())
                                 .text(ReportFormat.text, style)
                 : "";
     }

@@ -9,7 +9,6 @@ import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.VerifyPromises;
@@ -56,7 +55,7 @@ public final class VerifyCommand extends LimitedCommand {
         CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
         tellAside(reply.check());
         if (reply.value().isEmpty()) {
-            Rendering findings = CheckRendering.refused("verify", reply.check(), console());
+            Rendering findings = CheckRendering.refused("verify", reply.check(), machineFormats());
             reports.write(findings, session, console());
             return ExitStatus.WRONG_USE;
         }
@@ -80,8 +79,8 @@ public final class VerifyCommand extends LimitedCommand {
         return switch (format) {
             case text -> text(answers, style) + summary(answers, style);
             case json -> VerdictJson.render(answers);
-            case sarif -> MachineFormats.of(console()).sarif(findings, false);
-            case github -> MachineFormats.of(console()).github(findings, summary(answers, style));
+            case sarif -> machineFormats().sarif(findings, false);
+            case github -> machineFormats().github(findings, summary(answers, style));
             case junit ->
                     JunitXml.render(
                             "arcomat verify",

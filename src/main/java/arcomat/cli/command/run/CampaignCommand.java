@@ -1,6 +1,5 @@
 package arcomat.cli.command.run;
 
-import arcomat.campaign.CampaignResult;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
@@ -11,6 +10,7 @@ import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.CampaignPart;
+import arcomat.pipeline.campaign.CompareTables;
 import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.MakePart;
@@ -29,6 +29,7 @@ import arcomat.report.campaign.CampaignReport;
 import arcomat.report.campaign.CampaignText;
 import arcomat.report.campaign.CoverageText;
 import arcomat.report.campaign.RareText;
+import arcomat.report.campaign.TablesText;
 import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
@@ -51,9 +52,11 @@ import java.util.function.Function;
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --out build/meeting"
                     + " --resume",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --report build/page",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --out build/new --against"
+                    + " build/old",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --part 2/3 --out part2",
-            "  arcomat campaign models/coffee/campaigns/meeting.campaign --with part1 --with part2"
-                    + " --with part3",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --join part1 --join part2"
+                    + " --join part3",
             "",
             "Exit status: 0 all that was asked for holds; 1 something fails, or there are errors"
                     + " in the campaign, its world or its models; 3 the runs do not decide it;"
@@ -88,12 +91,20 @@ public final class CampaignCommand extends Command {
     private String part;
 
     @Option(
-            names = "--with",
+            names = "--join",
             paramLabel = "DIR",
             description =
-                    "Take rows that a part of this campaign has made from there. May be repeated;"
-                            + " what no part has is made.")
+                    "Take rows that a part of this campaign, or all of it, has made from there. May"
+                            + " be repeated; what is nowhere is made.")
     private List<String> parts = new ArrayList<>();
+
+    @Option(
+            names = "--against",
+            paramLabel = "DIR",
+            description =
+                    "Compare the table in --out with the one that another campaign has kept there."
+                            + " May be repeated.")
+    private List<String> older = new ArrayList<>();
 
     @Option(
             names = "--workers",
@@ -129,7 +140,12 @@ public final class CampaignCommand extends Command {
         if (resumes && results.isEmpty()) {
             throw new WrongUse("--resume goes on with the rows in --out: name that folder, too");
         }
+        if (!older.isEmpty() && results.isEmpty()) {
+            throw new WrongUse("--against compares the table in --out: name that folder, too");
+        }
         Optional<CampaignPart> alone = alone();
+        CompareTables comparison = new CompareTables(results, older);
+        comparison.requireOthers(session);
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
@@ -157,7 +173,8 @@ public final class CampaignCommand extends Command {
                                 resumes,
                                 StoredRows.engines(parts, ready, engines, session)));
         FurtherRuns.Found further = session.run(new FurtherRuns(ready, engines));
-        CampaignReport shown = made.report(campaign, ready, further);
+        CampaignReport shown =
+                made.report(campaign, ready, further).against(session.run(comparison));
         if (format == OutputFormat.json) {
             print(CampaignJson.render(shown));
         } else {
@@ -169,11 +186,13 @@ public final class CampaignCommand extends Command {
                                     print(
                                             new RareText(each, ready.replay(), console().style())
                                                     .render()));
+            shown.against()
+                    .forEach(each -> print(new TablesText(each, console().style()).render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));
         }
-        return status(made.result());
+        return status(shown);
     }
 
     /** The part that is to be made, if not all of it is. */
@@ -184,10 +203,10 @@ public final class CampaignCommand extends Command {
         if (results.isEmpty()) {
             throw new WrongUse("--part keeps its rows in --out: name that folder, too");
         }
-        if (report != null || format != OutputFormat.text || !parts.isEmpty()) {
+        if (report != null || format != OutputFormat.text || !parts.isEmpty() || !older.isEmpty()) {
             throw new WrongUse(
-                    "--part makes rows and judges nothing: --report, --format and --with are for"
-                            + " the whole campaign");
+                    "--part makes rows and judges nothing: --report, --format, --join and --against"
+                            + " are for the whole campaign");
         }
         return Optional.of(CampaignPart.parse(part));
     }
@@ -257,10 +276,10 @@ public final class CampaignCommand extends Command {
         printLine("table " + made.table() + (results.isEmpty() ? "" : ", in " + results));
     }
 
-    private static int status(CampaignResult result) {
-        if (result.fails()) {
+    private static int status(CampaignReport shown) {
+        if (shown.fails()) {
             return ExitStatus.FINDINGS;
         }
-        return result.isOpen() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
+        return shown.result().isOpen() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
     }
 }

@@ -1,6 +1,7 @@
 package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.TerminalDialogue;
@@ -147,11 +148,18 @@ public final class SimulateCommand extends Command {
 
     @Mixin private PageOption report = new PageOption();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(
             paramLabel = "PATH",
             arity = "0..*",
             description = "Model files and model roots; may be left out with --input.")
     private List<String> paths = List.of();
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {

@@ -2,10 +2,10 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
@@ -50,8 +50,15 @@ import java.util.stream.Collectors;
 public final class TestCommand extends Command {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {
@@ -60,7 +67,8 @@ public final class TestCommand extends Command {
         CheckResult check = reply.check();
         tellAside(check);
         if (reply.value().isEmpty()) {
-            reports.write(CheckRendering.refused("test", check, console()), session, console());
+            reports.write(
+                    CheckRendering.refused("test", check, machineFormats()), session, console());
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
         List<StreamTestResult> tests = reply.value().get();
@@ -86,8 +94,8 @@ public final class TestCommand extends Command {
         return switch (format) {
             case text -> StreamTestText.render(tests, style) + summary;
             case json -> StreamTestJson.render(tests);
-            case sarif -> MachineFormats.of(console()).sarif(findings, false);
-            case github -> MachineFormats.of(console()).github(findings, summary);
+            case sarif -> machineFormats().sarif(findings, false);
+            case github -> machineFormats().github(findings, summary);
             case junit ->
                     JunitXml.render(
                             "arcomat test",

@@ -2,6 +2,7 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.option.SeedOptions;
 import arcomat.cli.option.SetOption;
@@ -25,6 +26,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
+import java.util.List;
+
 /** {@code arcomat world}: robots on a floor. */
 @CommandLine.Command(
         name = "world",
@@ -41,6 +44,8 @@ import picocli.CommandLine.Parameters;
                     + " was given up; 2 wrong use."
         })
 public final class WorldCommand extends Command {
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(
             paramLabel = "FILE.world",
             description = "The world; docs/world.md tells how to write one.")
@@ -79,6 +84,11 @@ public final class WorldCommand extends Command {
     @Mixin private SetOption set = new SetOption();
 
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {

@@ -70,7 +70,11 @@ public final class McpCommand extends Command {
         }
         PathNames fenced = new PathNames(session.names().directory(), fence(session.names()));
         AgentTerms terms =
-                new AgentTerms(new Session(fenced, session.progress()), roots, timeout, longest);
+                new AgentTerms(
+                        new Session(fenced, session.progress(), session.guests(), List.of()),
+                        roots,
+                        timeout,
+                        longest);
         try {
             AgentService.serve(System.in, System.out, terms, Version.number());
         } catch (InterruptedException e) {

@@ -1,6 +1,7 @@
 package arcomat.cli.command.watch;
 
 import arcomat.cli.command.Command;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.SignalStatus;
 import arcomat.cli.terminal.Version;
@@ -11,6 +12,7 @@ import arcomat.pipeline.watch.WatchModels;
 import arcomat.pipeline.watch.WatchStatus;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -53,11 +55,18 @@ public final class WatchCommand extends Command {
             description = "Give up on promises after that time: they are then unknown; default 60.")
     private int timeout;
 
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
     /** What the process ends with where it is told to end. */
     private final AtomicInteger status = new AtomicInteger(ExitStatus.UNKNOWN);
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {

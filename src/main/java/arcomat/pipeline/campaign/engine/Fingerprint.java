@@ -2,9 +2,10 @@ package arcomat.pipeline.campaign.engine;
 
 import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.Witness.Instruments;
+import arcomat.sim.device.LineNotes;
 import arcomat.world.Scene;
 
-import java.util.BitSet;
+import java.util.List;
 
 /**
  * Tells apart runs that go apart anywhere: what moves at each step, and what displays show. Equal
@@ -49,8 +50,8 @@ final class Fingerprint implements Onlooker {
 
     /** What was reached is in the row. */
     @Override
-    public void reached(String robot, BitSet numbers) {
-        beside.reached(robot, numbers);
+    public void noted(String robot, List<LineNotes> notes) {
+        beside.noted(robot, notes);
     }
 
     private void add(Object seen) {

@@ -2,7 +2,6 @@ package arcomat.pipeline.campaign.engine;
 
 import arcomat.pipeline.campaign.joint.JointFreight;
 import arcomat.report.text.Sha256;
-import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.Program;
 
 import java.io.ByteArrayInputStream;
@@ -12,7 +11,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.HexFormat;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
@@ -95,10 +93,10 @@ public record Freight(
         programs.forEach((key, program) -> pack(key, program, entries));
         coverage.ordered()
                 .forEach(
-                        (key, probes) ->
+                        (key, items) ->
                                 entries.put(
                                         COVERAGE + spelt(key),
-                                        ItemProbes.text(probes).getBytes(StandardCharsets.UTF_8)));
+                                        items.text().getBytes(StandardCharsets.UTF_8)));
         return entries;
     }
 
@@ -150,13 +148,13 @@ public record Freight(
                 new ItemProbes(ItemProbes.number(settings[3]), coverage(entries)));
     }
 
-    private static Map<String, List<LineProbe>> coverage(Map<String, byte[]> entries)
+    private static Map<String, ProgramItems> coverage(Map<String, byte[]> entries)
             throws IOException {
-        Map<String, List<LineProbe>> programs = new TreeMap<>();
+        Map<String, ProgramItems> programs = new TreeMap<>();
         for (String name : entries.keySet()) {
             if (name.startsWith(COVERAGE)) {
                 String key = key(name.substring(COVERAGE.length()));
-                programs.put(key, ItemProbes.read(text(entries, name)));
+                programs.put(key, ProgramItems.read(text(entries, name)));
             }
         }
         return programs;

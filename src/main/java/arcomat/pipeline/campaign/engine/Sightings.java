@@ -3,10 +3,10 @@ package arcomat.pipeline.campaign.engine;
 import arcomat.campaign.Watched;
 import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.Witness.Instruments;
+import arcomat.sim.device.LineNotes;
 import arcomat.sim.load.Probe;
 import arcomat.world.Scene;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -47,8 +47,8 @@ final class Sightings implements Onlooker {
     }
 
     @Override
-    public void reached(String robot, BitSet numbers) {
-        beside.reached(robot, numbers);
+    public void noted(String robot, List<LineNotes> notes) {
+        beside.noted(robot, notes);
     }
 
     @Override

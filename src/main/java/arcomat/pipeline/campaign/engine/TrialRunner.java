@@ -68,7 +68,7 @@ public final class TrialRunner implements Function<Trial, Row> {
                                 programs.put(
                                         key,
                                         LoadedProgram.forMany(
-                                                each, probes(key), freight.coverage().of(key))));
+                                                each, probes(key), freight.coverage().lines(key))));
         programs.forEach((key, each) -> onThreads.put(key, each.onThreads()));
         this.measuring = Measuring.of(campaign, text);
         this.watches = campaign.watches();

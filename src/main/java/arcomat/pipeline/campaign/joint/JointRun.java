@@ -2,10 +2,10 @@ package arcomat.pipeline.campaign.joint;
 
 import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.Witness.Instruments;
+import arcomat.sim.device.LineNotes;
 import arcomat.world.Scene;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -54,8 +54,8 @@ public final class JointRun implements Onlooker {
     }
 
     @Override
-    public void reached(String robot, BitSet numbers) {
-        beside.reached(robot, numbers);
+    public void noted(String robot, List<LineNotes> notes) {
+        beside.noted(robot, notes);
     }
 
     /** The run is over, and so is what was left open. */

@@ -54,6 +54,16 @@ public final class Vocabulary {
         return variation.domain().match(range -> List.of(range.at(0), range.at(1)), Choice::words);
     }
 
+    /** All that can be read, as it is written: {@code one.x}. */
+    public List<String> readings() {
+        return things.entrySet().stream()
+                .flatMap(
+                        thing ->
+                                thing.getValue().keySet().stream()
+                                        .map(property -> thing.getKey() + "." + property))
+                .toList();
+    }
+
     private void add(World world) {
         for (World.Robot robot : world.robots()) {
             Map<String, String> properties = properties(robot.name());

@@ -6,6 +6,7 @@ import arcomat.sim.radio.Radio;
 import arcomat.sim.time.SavedVariables;
 import arcomat.sim.time.VirtualTime;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -30,26 +31,16 @@ public final class Hardware {
     private final Slices slices;
     private final Heap heap;
     private final Errors errors = new Errors();
-    private final boolean[] reached;
+    private final List<LineNotes> notes = new ArrayList<>();
     private Observer observer = new SilentObserver();
     private int batteryMillivolts = FULL_BATTERY;
 
-    /**
-     * @param numbers how many there are under which is noted what a program has come to
-     */
-    public Hardware(
-            String name,
-            VirtualTime time,
-            Lifetime lifetime,
-            Radio radio,
-            Limits limits,
-            int numbers) {
+    public Hardware(String name, VirtualTime time, Lifetime lifetime, Radio radio, Limits limits) {
         this.name = name;
         this.time = time;
         this.lifetime = lifetime;
         this.radio = radio;
         this.limits = limits;
-        this.reached = new boolean[numbers];
         this.processor = new Processor(time, limits.counted());
         this.slices = new Slices(this);
         this.heap = new Heap(BrickCost.HEAP_BYTES - OF_LEJOS, lifetime::calls);
@@ -156,9 +147,16 @@ public final class Hardware {
         observer = newObserver;
     }
 
-    /** What the program has come to, by numbers: it is noted here. */
-    public boolean[] reached() {
+    /** Where a new object of the program notes, by their numbers, which lines it comes to. */
+    public boolean[] notes(Object object, int size) {
+        boolean[] reached = new boolean[size];
+        notes.add(new LineNotes(object, reached));
         return reached;
+    }
+
+    /** What objects of the program have noted, in the order in which they were made. */
+    public List<LineNotes> notes() {
+        return List.copyOf(notes);
     }
 
     public int batteryMillivolts() {

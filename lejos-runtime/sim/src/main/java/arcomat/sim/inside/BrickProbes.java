@@ -6,13 +6,11 @@ import arcomat.sim.device.Hardware;
 public final class BrickProbes {
     private static final Hardware BRICK = Hardware.of(BrickProbes.class);
 
-    private static final boolean[] REACHED = BRICK.reached();
-
     private BrickProbes() {}
 
-    /** A line begins that somebody has asked about. */
-    public static void reached(int number) {
-        REACHED[number] = true;
+    /** An object begins that notes which lines it comes to: here it does. */
+    public static boolean[] notes(Object object, int size) {
+        return BRICK.notes(object, size);
     }
 
     /** A method begins that somebody has asked about. */

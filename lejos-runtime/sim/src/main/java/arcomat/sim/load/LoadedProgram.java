@@ -18,8 +18,7 @@ public final class LoadedProgram {
     private final Program program;
     private final boolean once;
     private final List<Probe> probes;
-    private final List<LineProbe> lines;
-    private final int numbers;
+    private final List<NotedLines> lines;
     private final boolean rests;
     private final Carriers carriers = new Carriers();
     private @Nullable Stock counted;
@@ -29,13 +28,12 @@ public final class LoadedProgram {
             Program program,
             boolean once,
             List<Probe> probes,
-            List<LineProbe> lines,
+            List<NotedLines> lines,
             boolean rests) {
         this.program = program;
         this.once = once;
         this.probes = List.copyOf(probes);
         this.lines = List.copyOf(lines);
-        this.numbers = lines.stream().mapToInt(each -> each.number() + 1).max().orElse(0);
         this.rests = rests;
     }
 
@@ -53,10 +51,10 @@ public final class LoadedProgram {
      * The same, with probes in it.
      *
      * @param probes observers of its bricks are told when it comes to them
-     * @param lines its bricks note which of them it has come to
+     * @param lines its objects note which of them they have come to
      */
     public static LoadedProgram forMany(
-            Program program, List<Probe> probes, List<LineProbe> lines) {
+            Program program, List<Probe> probes, List<NotedLines> lines) {
         return new LoadedProgram(program, false, probes, lines, true);
     }
 
@@ -117,11 +115,6 @@ public final class LoadedProgram {
             }
         }
         return stock;
-    }
-
-    /** How many numbers there are under which bricks note lines. */
-    public int numbers() {
-        return numbers;
     }
 
     /** Whether a method is none of the program's: it was added to let a class begin again. */

@@ -11,7 +11,7 @@ final class Redirected implements ClassFiles {
     private final Program program;
     private final Rewriter rewriter;
     private final List<Probe> probes;
-    private final List<LineProbe> lines;
+    private final List<NotedLines> lines;
     private final boolean rests;
 
     /**
@@ -26,7 +26,7 @@ final class Redirected implements ClassFiles {
             Program program,
             boolean counted,
             List<Probe> probes,
-            List<LineProbe> lines,
+            List<NotedLines> lines,
             boolean rests) {
         for (String name : program.classes().keySet()) {
             if (BrickLoader.isShared(name) || BrickLoader.isInside(name)) {
@@ -47,7 +47,7 @@ final class Redirected implements ClassFiles {
                 : Optional.ofNullable(program.classes().get(name))
                         .map(rewriter::rewrite)
                         .map(file -> Probing.of(name, file, probes))
-                        .map(file -> LineProbing.of(name, file, lines))
+                        .map(file -> LineNoting.of(name, file, lines))
                         .map(file -> rests ? SliceLoop.resting(name, file) : file);
     }
 

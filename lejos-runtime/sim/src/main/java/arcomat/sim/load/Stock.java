@@ -34,7 +34,7 @@ final class Stock {
             Program program,
             boolean counted,
             List<Probe> probes,
-            List<LineProbe> lines,
+            List<NotedLines> lines,
             boolean rests) {
         if (rests && GeneratedForm.isOf(program)) {
             try {

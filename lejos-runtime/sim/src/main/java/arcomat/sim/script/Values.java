@@ -4,6 +4,7 @@ import arcomat.sim.device.Stimulus;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Reads what a sensor is exposed to: a number, a name for one, or a raw number. */
 final class Values {
@@ -22,6 +23,12 @@ final class Values {
     private static final int RAW_LIMIT = 1023;
 
     private Values() {}
+
+    /** What may stand in the place of a number. */
+    static List<String> words() {
+        return Stream.concat(NAMES.keySet().stream().sorted(), Stream.of("raw", "unplugged"))
+                .toList();
+    }
 
     static Stimulus parse(Line line) throws BrokenLine {
         Word word = line.next("a value: a number, pressed, released, a colour, raw or unplugged");

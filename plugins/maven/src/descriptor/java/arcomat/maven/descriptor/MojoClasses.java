@@ -34,15 +34,21 @@ final class MojoClasses {
      * A goal.
      *
      * @param values of its annotation, as far as it says them
+     * @param needs what Maven gives it
      */
-    record Goal(String type, Map<String, String> values, List<Setting> settings) {}
+    record Goal(
+            String type, Map<String, String> values, List<Setting> settings, List<Need> needs) {}
+
+    /** A part of Maven that a goal has in a field. */
+    record Need(String field, String type) {}
 
     /**
      * What a goal is told by a build.
      *
+     * @param owner the class that has the field
      * @param values of its annotation, as far as it says them
      */
-    record Setting(String name, String type, Map<String, String> values) {}
+    record Setting(String owner, String name, String type, Map<String, String> values) {}
 
     static MojoClasses in(Path folder) throws IOException {
         Map<String, ClassNode> classes = new HashMap<>();
@@ -65,30 +71,49 @@ final class MojoClasses {
                             values ->
                                     goals.add(
                                             new Goal(
-                                                    each.name.replace('/', '.'),
+                                                    dotted(each),
                                                     values,
-                                                    settings(each))));
+                                                    settings(each),
+                                                    needs(each))));
         }
         goals.sort(Comparator.comparing(goal -> goal.values().get("name")));
         return goals;
     }
 
+    private static String dotted(ClassNode type) {
+        return type.name.replace('/', '.');
+    }
+
+    private static List<Need> needs(ClassNode goal) {
+        List<Need> needs = new ArrayList<>();
+        for (FieldNode field : goal.fields) {
+            annotation(field.visibleAnnotations, "Component")
+                    .or(() -> annotation(field.invisibleAnnotations, "Component"))
+                    .ifPresent(values -> needs.add(new Need(field.name, className(field))));
+        }
+        return needs;
+    }
+
+    private static String className(FieldNode field) {
+        return Type.getType(field.desc).getClassName();
+    }
+
     /** Its own, and what it has from above. */
     private List<Setting> settings(ClassNode goal) {
         List<Setting> settings = new ArrayList<>();
-        ClassNode at = goal;
-        while (at != null) {
+        for (ClassNode each = goal; each != null; each = classes.get(each.superName)) {
+            ClassNode at = each;
             for (FieldNode field : at.fields) {
                 annotation(field.invisibleAnnotations, "Parameter")
                         .ifPresent(
                                 values ->
                                         settings.add(
                                                 new Setting(
+                                                        dotted(at),
                                                         field.name,
-                                                        Type.getType(field.desc).getClassName(),
+                                                        className(field),
                                                         values)));
             }
-            at = classes.get(at.superName);
         }
         settings.sort(Comparator.comparing(Setting::name));
         return settings;

@@ -1,6 +1,7 @@
 package arcomat.maven.descriptor;
 
 import arcomat.maven.descriptor.MojoClasses.Goal;
+import arcomat.maven.descriptor.MojoClasses.Need;
 import arcomat.maven.descriptor.MojoClasses.Setting;
 
 import java.io.IOException;
@@ -23,12 +24,14 @@ import javax.xml.stream.XMLStreamWriter;
  */
 public final class PluginDescriptor {
     private final XMLStreamWriter xml;
+    private final Descriptions descriptions;
 
-    private PluginDescriptor(XMLStreamWriter xml) {
+    private PluginDescriptor(XMLStreamWriter xml, Descriptions descriptions) {
         this.xml = xml;
+        this.descriptions = descriptions;
     }
 
-    /** Folder of classes, file to write, group, artifact, version, description. */
+    /** Folder of classes, file to write, group, artifact, version, description, sources. */
     public static void main(String[] arguments) throws IOException, XMLStreamException {
         MojoClasses classes = MojoClasses.in(Path.of(arguments[0]));
         Path file = Path.of(arguments[1]);
@@ -36,7 +39,7 @@ public final class PluginDescriptor {
         try (Writer out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
             XMLStreamWriter xml = XMLOutputFactory.newInstance().createXMLStreamWriter(out);
             xml.writeStartDocument("UTF-8", "1.0");
-            new PluginDescriptor(xml)
+            new PluginDescriptor(xml, Descriptions.in(Path.of(arguments[6])))
                     .plugin(classes, arguments[2], arguments[3], arguments[4], arguments[5]);
             xml.writeEndDocument();
         }
@@ -67,6 +70,12 @@ public final class PluginDescriptor {
                 "mojo",
                 () -> {
                     text("goal", said.get("name"));
+                    text("description", descriptions.of(goal.type()));
+                    if (said.containsKey("requiresDependencyResolution")) {
+                        text(
+                                "requiresDependencyResolution",
+                                said.get("requiresDependencyResolution").toLowerCase(Locale.ROOT));
+                    }
                     text("requiresProject", "true");
                     text("requiresDirectInvocation", "false");
                     text("requiresOnline", "false");
@@ -79,6 +88,16 @@ public final class PluginDescriptor {
                     text("threadSafe", said.getOrDefault("threadSafe", "false"));
                     within("parameters", () -> goal.settings().forEach(this::parameter));
                     within("configuration", () -> goal.settings().forEach(this::configuration));
+                    within("requirements", () -> goal.needs().forEach(this::requirement));
+                });
+    }
+
+    private void requirement(Need need) {
+        within(
+                "requirement",
+                () -> {
+                    text("role", need.type());
+                    text("field-name", need.field());
                 });
     }
 
@@ -93,6 +112,7 @@ public final class PluginDescriptor {
                     text("name", setting.name());
                     text("type", setting.type());
                     text("required", setting.values().getOrDefault("required", "false"));
+                    text("description", descriptions.of(setting.owner() + "#" + setting.name()));
                     text("editable", is(setting, "readonly") ? "false" : "true");
                 });
     }

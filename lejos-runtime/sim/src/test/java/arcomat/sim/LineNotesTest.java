@@ -3,8 +3,9 @@ package arcomat.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.sim.device.Limits;
-import arcomat.sim.load.LineProbe;
+import arcomat.sim.device.LineNotes;
 import arcomat.sim.load.LoadedProgram;
+import arcomat.sim.load.NotedLines;
 import arcomat.sim.load.Program;
 import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
@@ -14,18 +15,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 
-/** What a run has come to is noted, and nothing else is changed by that. */
-class LineProbeTest {
+/** What each object has come to is noted, and nothing else is changed by that. */
+class LineNotesTest {
     private static final String SOURCE =
             """
             import lejos.nxt.*;
             public class Ways {
                 static int rounds;
                 Object made;
-                static boolean pressed(TouchSensor sensor) {
+                boolean pressed(TouchSensor sensor) {
                     rounds++;
                     if (sensor.isPressed()) {
                         return true;
@@ -33,15 +33,26 @@ class LineProbeTest {
                     return false;
                 }
                 Ways(int size) {
+                    new String("way");
                     if (size > 2) {
                         made = new int[size];
                         return;
                     }
+                    size = 0;
+                }
+                static class Wide extends Ways {
+                    Wide() {
+                        super(9);
+                    }
                 }
                 public static void main(String[] args) throws Exception {
                     TouchSensor sensor = new TouchSensor(SensorPort.S1);
+                    Ways other = new Wide();
+                    Ways ways = new Ways(1);
                     for (int i = 0; i < 20; i++) {
-                        new Ways(pressed(sensor) ? 5 : 1);
+                        if (ways.pressed(sensor) && i == 9) {
+                            other.pressed(sensor);
+                        }
                         switch (rounds % 3) {
                             case 0:
                                 Motor.A.forward();
@@ -69,24 +80,26 @@ class LineProbeTest {
         return lines.indexOf(text) + 1;
     }
 
-    private static List<LineProbe> probes() {
-        List<LineProbe> probes = new ArrayList<>();
+    private static NotedLines noted() {
+        List<Integer> lines = new ArrayList<>();
         for (String text :
                 List.of(
                         "return true;",
                         "return false;",
                         "return;",
                         "made = new int[size];",
-                        "throw new IllegalStateException(\"never\"",
-                        "Motor.A.stop();",
-                        "LCD.drawString(rounds + \" rounds\", 0, 0);")) {
-            probes.add(new LineProbe("Ways", line(text), probes.size()));
+                        "size = 0;",
+                        "new String(\"way\");",
+                        "Motor.A.stop();")) {
+            lines.add(line(text));
         }
-        probes.add(new LineProbe("Other", 1, probes.size()));
-        return probes;
+        lines.add(0);
+        return new NotedLines("Ways", lines);
     }
 
-    private static String run(LoadedProgram program, String script, Limits limits, BitSet reached) {
+    /** With the objects in the order in which they were made. */
+    private static String run(
+            LoadedProgram program, String script, Limits limits, List<String> notes) {
         Script steps = ScriptParser.parse(script).script().orElseThrow();
         Recorder recorder = new Recorder();
         try (Laboratory laboratory = new Laboratory(limits)) {
@@ -94,37 +107,43 @@ class LineProbeTest {
             brick.observe(recorder);
             brick.play(steps);
             laboratory.runToEnd(60_000);
-            reached.or(brick.reached());
+            brick.notes().forEach(each -> notes.add(text(each)));
             return TraceText.of(recorder.trace()) + laboratory.time() + brick.outcome().failure();
         }
+    }
+
+    private static String text(LineNotes notes) {
+        return notes.object().getClass().getSimpleName() + " " + notes.numbers();
     }
 
     /** Bricks take over classes of earlier ones: what these have noted is not theirs. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void eachRunNotesWhatItHasComeTo(boolean counted) {
+    void eachObjectNotesWhatItHasComeTo(boolean counted) {
         Limits limits = counted ? Limits.OF_THE_BRICK : Limits.NONE;
         LoadedProgram plain = LoadedProgram.forMany(WAYS);
-        LoadedProgram probed = LoadedProgram.forMany(WAYS, List.of(), probes());
-        assertThat(probed.repeats(counted)).isTrue();
+        NotedLines elsewhere = new NotedLines("Other", List.of(1));
+        LoadedProgram noting = LoadedProgram.forMany(WAYS, List.of(), List.of(elsewhere, noted()));
+        assertThat(noting.repeats(counted)).isTrue();
         for (int i = 0; i < 3; i++) {
-            check(plain, probed, "0 S1 pressed\n1500 end\n", limits, "{0, 2, 3, 5}");
-            check(plain, probed, "0 S1 released\n", limits, "{1, 5, 6}");
-            check(plain, probed, "0 S1 released\n700 S1 pressed\n", limits, "{0, 1, 2, 3, 5, 6}");
+            check(plain, noting, "0 S1 pressed\n", limits, "{0, 2, 3, 5}", "{0, 4, 5}");
+            check(plain, noting, "0 S1 released\n", limits, "{2, 3, 5}", "{1, 4, 5}");
+            String later = "0 S1 released\n1500 S1 pressed\n";
+            check(plain, noting, later, limits, "{2, 3, 5}", "{0, 1, 4, 5}");
         }
     }
 
     private static void check(
             LoadedProgram plain,
-            LoadedProgram probed,
+            LoadedProgram noting,
             String script,
             Limits limits,
-            String expected) {
-        BitSet reached = new BitSet();
-        BitSet none = new BitSet();
-        assertThat(run(probed, script, limits, reached))
-                .isEqualTo(run(plain, script, limits, none));
-        assertThat(reached).hasToString(expected);
-        assertThat(none.isEmpty()).isTrue();
+            String wide,
+            String narrow) {
+        List<String> notes = new ArrayList<>();
+        List<String> none = new ArrayList<>();
+        assertThat(run(noting, script, limits, notes)).isEqualTo(run(plain, script, limits, none));
+        assertThat(notes).containsExactly("Wide " + wide, "Ways " + narrow);
+        assertThat(none).isEmpty();
     }
 }

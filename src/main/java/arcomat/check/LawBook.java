@@ -1,0 +1,85 @@
+package arcomat.check;
+
+import arcomat.check.behaviour.automaton.AutomatonLaws;
+import arcomat.check.behaviour.expression.ExpressionLaws;
+import arcomat.check.behaviour.item.ItemLaws;
+import arcomat.check.behaviour.total.TotalLaws;
+import arcomat.check.diagrams.DiagramLaws;
+import arcomat.check.guest.GuestLaws;
+import arcomat.check.law.Law;
+import arcomat.check.naming.NamingLaws;
+import arcomat.check.refinement.RefinementLaws;
+import arcomat.check.stereotypes.StereotypeLaws;
+import arcomat.check.structure.component.ComponentLaws;
+import arcomat.check.structure.connector.ConnectorLaws;
+import arcomat.check.structure.reference.ReferenceLaws;
+import arcomat.check.tests.TestLaws;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * The laws that hold in a run: those of the tool, and those that guests bring.
+ *
+ * @param own of the tool, by the folders in which their checks lie
+ */
+public record LawBook(List<Law> own, List<GuestLaws> guests) {
+    /** Without guests. */
+    public static final LawBook OWN = of(List.of());
+
+    public LawBook {
+        own = List.copyOf(own);
+        guests = List.copyOf(guests);
+    }
+
+    /** The laws of the tool and of guests with codes of their own. */
+    public static LawBook of(List<GuestLaws> guests) {
+        List<Law> all = new ArrayList<>();
+        List<Law> own =
+                Stream.of(
+                                ComponentLaws.LAWS,
+                                ConnectorLaws.LAWS,
+                                ReferenceLaws.LAWS,
+                                NamingLaws.LAWS,
+                                AutomatonLaws.LAWS,
+                                ExpressionLaws.LAWS,
+                                ItemLaws.LAWS,
+                                TotalLaws.LAWS,
+                                RefinementLaws.LAWS,
+                                StereotypeLaws.all(() -> all),
+                                DiagramLaws.LAWS,
+                                TestLaws.LAWS)
+                        .flatMap(List::stream)
+                        .toList();
+        all.addAll(own);
+        guests.forEach(guest -> all.addAll(guest.laws()));
+        return new LawBook(own, guests);
+    }
+
+    /** Everybody's. */
+    public List<Law> all() {
+        return Stream.concat(own.stream(), guests.stream().flatMap(each -> each.laws().stream()))
+                .toList();
+    }
+
+    /** What the guest that has a law with this code says about it, in Markdown. */
+    public Optional<String> page(String code) {
+        return guests.stream()
+                .filter(guest -> guest.laws().stream().anyMatch(law -> law.code().equals(code)))
+                .findFirst()
+                .map(guest -> guest.pages().apply(code).orElseGet(() -> noPage(guest, code)));
+    }
+
+    private static String noPage(GuestLaws guest, String code) {
+        return "# %s A law of guest '%s'\n\nThe guest has no page about it.\n"
+                .formatted(code, guest.guest());
+    }
+
+    /** Tells these laws from those of a run with other guests; empty without any. */
+    public String identity() {
+        return guests.stream().map(GuestLaws::identity).collect(Collectors.joining(" "));
+    }
+}

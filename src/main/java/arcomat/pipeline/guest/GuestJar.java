@@ -1,0 +1,177 @@
+package arcomat.pipeline.guest;
+
+import arcomat.check.guest.GuestLaws;
+import arcomat.check.law.Law;
+import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.Guest;
+import arcomat.guest.host.Guests.Language;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.text.Sha256;
+import arcomat.syntax.Identifiers;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.jar.JarFile;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * What is at a path that {@code --with} names. Its classes see those of the tool; whatever they
+ * throw while they introduce themselves is a reason to refuse them, and says whose fault it is.
+ *
+ * @param path as the user wrote it
+ */
+record GuestJar(String path, URLClassLoader loader, String identity) {
+    /** What a guest brings. */
+    record Arrival(GuestLaws laws, List<Language> languages) {}
+
+    private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
+    private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
+
+    /**
+     * @throws WrongUse where nothing is there that can be read
+     */
+    static GuestJar open(String path, PathNames names) throws WrongUse {
+        Path place = names.readable(path);
+        if (!Files.exists(place)) {
+            throw new WrongUse(
+                    "there is no guest '%s'; --with names a jar, or a folder of classes", path);
+        }
+        try {
+            URLClassLoader loader =
+                    new URLClassLoader(new URL[] {url(place)}, Guest.class.getClassLoader());
+            return new GuestJar(path, loader, content(place));
+        } catch (IOException e) {
+            throw new WrongUse(
+                    "the guest '%s' cannot be read: %s", path, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private static URL url(Path place) throws MalformedURLException {
+        return place.toUri().toURL();
+    }
+
+    /** A digest of all bytes: a guest that was compiled anew may find something else. */
+    private static String content(Path place) throws IOException {
+        if (Files.isRegularFile(place)) {
+            new JarFile(place.toFile()).close(); // a class loader would find nothing in a torn one
+        }
+        List<Path> files;
+        try (Stream<Path> all = Files.walk(place)) {
+            files = all.filter(Files::isRegularFile).sorted().toList();
+        }
+        StringBuilder digests = new StringBuilder();
+        for (Path file : files) {
+            digests.append(place.relativize(file))
+                    .append(' ')
+                    .append(
+                            HexFormat.of()
+                                    .formatHex(Sha256.begin().digest(Files.readAllBytes(file))))
+                    .append('\n');
+        }
+        return Sha256.hex(digests.toString());
+    }
+
+    /**
+     * Those that the jar names as services.
+     *
+     * @throws WrongUse where there is none, or one of another version, or one that is not in order
+     */
+    List<Arrival> arrivals() throws WrongUse {
+        List<Arrival> guests = new ArrayList<>();
+        try {
+            for (Guest guest : ServiceLoader.load(Guest.class, loader)) {
+                if (guest.getClass().getClassLoader() == loader) {
+                    guests.add(arrival(guest));
+                }
+            }
+        } catch (ServiceConfigurationError e) {
+            throw ill(String.valueOf(e.getMessage()));
+        } catch (LinkageError | RuntimeException e) {
+            throw ill(e.toString());
+        }
+        if (guests.isEmpty()) {
+            throw new WrongUse(
+                    "there is no guest in '%s': the file META-INF/services/%s, which names its"
+                            + " class, is missing",
+                    path, Guest.class.getName());
+        }
+        return guests;
+    }
+
+    private WrongUse ill(String reason) {
+        return new WrongUse(
+                "the guest '%s' cannot be asked what it brings: %s; tell who wrote it, or leave it"
+                        + " out",
+                path, reason);
+    }
+
+    private Arrival arrival(Guest guest) throws WrongUse {
+        if (guest.api() != Guest.API) {
+            throw new WrongUse(
+                    "the guest '%s' was made for version %d of arcomat-api, and this is version"
+                            + " %d; it has to be compiled anew",
+                    path, guest.api(), Guest.API);
+        }
+        String name = guest.name();
+        if (!NAME.matcher(name).matches()) {
+            throw new WrongUse(
+                    "the guest in '%s' calls itself '%s'; a name has letters, digits, dots and"
+                            + " hyphens, 40 at most",
+                    path, name);
+        }
+        return new Arrival(laws(name, guest.laws()), languages(name, guest.languages()));
+    }
+
+    private GuestLaws laws(String name, List<Law> laws) throws WrongUse {
+        for (Law law : laws) {
+            if (!CODE.matcher(law.code()).matches()) {
+                throw new WrongUse(
+                        "guest '%s' has a law with the code '%s'; the code of a guest has two to"
+                                + " eight capital letters, other than ARC, and four digits",
+                        name, law.code());
+            }
+        }
+        return new GuestLaws(name, identity, laws, this::page);
+    }
+
+    private static List<Language> languages(String name, List<BehaviourLanguage> brought)
+            throws WrongUse {
+        List<Language> languages = new ArrayList<>();
+        for (BehaviourLanguage each : brought) {
+            String keyword = each.keyword();
+            if (!Identifiers.isFree(keyword)) {
+                throw new WrongUse(
+                        "behaviours of guest '%s' begin with '%s'; it has to be a name, and none of"
+                                + " Arcomat's own words",
+                        name, keyword);
+            }
+            languages.add(new Language(name, keyword, each));
+        }
+        return languages;
+    }
+
+    /** What the guest says about a code of its own. */
+    private Optional<String> page(String code) {
+        try (InputStream in = loader.getResourceAsStream("explain/" + code + ".md")) {
+            return in == null
+                    ? Optional.empty()
+                    : Optional.of(new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            return Optional.empty();
+        }
+    }
+}

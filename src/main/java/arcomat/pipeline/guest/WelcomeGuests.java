@@ -1,0 +1,74 @@
+package arcomat.pipeline.guest;
+
+import arcomat.check.LawBook;
+import arcomat.check.guest.GuestLaws;
+import arcomat.check.law.Law;
+import arcomat.guest.host.Guests;
+import arcomat.guest.host.Guests.Language;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Lets guests in.
+ *
+ * @param paths of jars and of folders of classes, as the user wrote them
+ */
+public record WelcomeGuests(List<String> paths) implements Task<Guests> {
+    /**
+     * @throws WrongUse where there is no guest at a path, or one that cannot stay
+     */
+    @Override
+    public Guests run(Session session) throws WrongUse {
+        List<GuestLaws> laws = new ArrayList<>();
+        List<Language> languages = new ArrayList<>();
+        for (String path : paths) {
+            for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
+                laws.add(each.laws());
+                languages.addAll(each.languages());
+            }
+        }
+        requireDifferent(laws);
+        requireWords(languages);
+        return new Guests(LawBook.of(laws), languages);
+    }
+
+    /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
+    private static void requireDifferent(List<GuestLaws> guests) throws WrongUse {
+        Map<String, String> owners = new HashMap<>();
+        Map<String, GuestLaws> names = new HashMap<>();
+        for (GuestLaws guest : guests) {
+            if (names.put(guest.guest(), guest) != null) {
+                throw new WrongUse(
+                        "two guests have the name '%s'; leave one of them out", guest.guest());
+            }
+            for (Law law : guest.laws()) {
+                String other = owners.put(law.code(), guest.guest());
+                if (other != null) {
+                    throw new WrongUse(
+                            "the code %s is that of two laws, of guest '%s' and of guest '%s';"
+                                    + " leave one of them out",
+                            law.code(), other, guest.guest());
+                }
+            }
+        }
+    }
+
+    private static void requireWords(List<Language> languages) throws WrongUse {
+        Map<String, Language> words = new HashMap<>();
+        for (Language language : languages) {
+            Language other = words.put(language.keyword(), language);
+            if (other != null) {
+                throw new WrongUse(
+                        "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
+                            + " one of them out",
+                        language.keyword(), other.guest(), language.guest());
+            }
+        }
+    }
+}
