@@ -83,6 +83,11 @@ final class ConsumerProject {
         append("build.gradle", TOOL_OF_THIS_BUILD);
     }
 
+    /** Puts the engine for clusters beside the tool. */
+    void useEngineOfThisBuild() {
+        append("build.gradle", "dependencies { arcomat files(%s) }".formatted(files("engine")));
+    }
+
     /**
      * The same, with what is published in the folder {@code repository}; other libraries have been
      * fetched already, for this build.
