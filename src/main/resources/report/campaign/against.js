@@ -45,5 +45,5 @@ function changedSeeds(event) {
     return lines.length === 0 ? null : element("div", {}, element("p", { class: "figures" }, title), element("ul", {}, ...lines));
   };
   const parts = [list("got worse, the first of them", event.firstWorse), list("got better, the first of them", event.firstBetter)];
-  return element("details", { class: "panel" }, element("summary", {}, `${event.name}: where it changed`), ...parts.filter((part) => part !== null));
+  return element("details", { class: "panel beside" }, element("summary", {}, `${event.name}: where it changed`), ...parts.filter((part) => part !== null));
 }
