@@ -83,6 +83,11 @@ final class ConsumerProject {
         append("build.gradle", TOOL_OF_THIS_BUILD);
     }
 
+    /** Puts the engine for clusters beside the tool. */
+    void useEngineOfThisBuild() {
+        append("build.gradle", "dependencies { arcomat files(%s) }".formatted(files("engine")));
+    }
+
     /** The shop, with what is published. */
     static ConsumerProject publishedShop(Path folder) {
         ConsumerProject project = published(Path.of("src/test/projects/shop"), folder);
