@@ -23,6 +23,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
     static final String NAME = "arcomat";
 
     private static final String RUNTIME = "arcomatRuntime";
+    private static final String GUESTS = "arcomatGuests";
 
     @Override
     public void apply(Project project) {
@@ -30,6 +31,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
         project.getPluginManager().apply(JavaPlugin.class);
         ArcomatExtension settings = settings(project);
         Configuration tool = tool(project, settings);
+        Configuration guests = guests(project);
         runtime(project, settings);
 
         SourceSetContainer sourceSets =
@@ -48,6 +50,9 @@ public final class ArcomatPlugin implements Plugin<Project> {
                             task.getDirectory().set(project.getRootDir());
                             task.getMaxHeapSize().convention(settings.getMaxHeapSize());
                         });
+        project.getTasks()
+                .withType(ModelTask.class)
+                .configureEach(task -> task.getGuests().from(guests));
         new ModelLibraries(project).register(main);
         new ModelTasks(project, settings, main, test).register();
         new CodeTasks(project, settings, main).register(java);
@@ -77,6 +82,16 @@ public final class ArcomatPlugin implements Plugin<Project> {
         tool.setCanBeConsumed(false);
         tool.defaultDependencies(all -> all.add(dependency(project, settings, "arcomat:arcomat")));
         return tool;
+    }
+
+    /** Jars that bring laws and languages; what they need themselves has to be in them. */
+    private static Configuration guests(Project project) {
+        Configuration guests = project.getConfigurations().create(GUESTS);
+        guests.setDescription("Guests of the tool: laws and behaviour languages from outside.");
+        guests.setVisible(false);
+        guests.setCanBeConsumed(false);
+        guests.setTransitive(false);
+        return guests;
     }
 
     /** What code for the JVM needs to be compiled and to run. */

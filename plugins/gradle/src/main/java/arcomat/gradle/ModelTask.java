@@ -8,6 +8,7 @@ import org.gradle.api.file.DirectoryProperty;
 import org.gradle.api.file.FileTree;
 import org.gradle.api.provider.ListProperty;
 import org.gradle.api.provider.Provider;
+import org.gradle.api.tasks.Classpath;
 import org.gradle.api.tasks.IgnoreEmptyDirectories;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.InputFiles;
@@ -51,6 +52,10 @@ public abstract class ModelTask extends ToolTask {
     @PathSensitive(PathSensitivity.RELATIVE)
     public abstract DirectoryProperty getLibraries();
 
+    /** Jars that bring laws and behaviour languages. */
+    @Classpath
+    public abstract ConfigurableFileCollection getGuests();
+
     /** What to do with the models: a command without their names. */
     abstract ToolCommand command();
 
@@ -64,7 +69,10 @@ public abstract class ModelTask extends ToolTask {
 
     @Override
     final List<ToolCommand> commands() {
-        return List.of(command().about(shown(getModels().getFiles().stream()), libraries()));
+        return List.of(
+                command()
+                        .with("--with", shown(getGuests().getFiles().stream()))
+                        .about(shown(getModels().getFiles().stream()), libraries()));
     }
 
     private List<String> libraries() {

@@ -5,6 +5,7 @@ import static arcomat.gradle.ConsumerProject.outcomes;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,5 +29,21 @@ class GuestBuildsTest {
 
         project.edit(file, good, bad);
         assertThat(outcomes(project.fail("check", version))).contains(":" + task + " FAILED");
+    }
+
+    @Test
+    void areDependenciesOfProjectsWithModels() {
+        ConsumerProject lab =
+                ConsumerProject.published(Path.of("../../guests/lab"), folder.resolve("lab"));
+        lab.build("jar", "-ParcomatVersion=" + System.getProperty("version"));
+        ConsumerProject shop = ConsumerProject.publishedShop(folder.resolve("shop"));
+        shop.append(
+                "build.gradle",
+                "dependencies { arcomatGuests files('../lab/build/libs/lab-laws.jar') }\n");
+        shop.write(
+                "src/main/arc/shop/Odd.arc",
+                "package shop;\n\ncomponent Odd {\n    port in Boolean notSaid;\n}\n");
+        assertThat(shop.build("checkArc").getOutput())
+                .contains("warning LAB0001: port 'notSaid' says what is not");
     }
 }
