@@ -59,6 +59,7 @@ behaviour
     : automaton
     | ioTable
     | implementation
+    | foreign
     ;
 
 ports
@@ -119,4 +120,9 @@ javaPart
 
 implementation
     : 'implementation' name? '{' (automaton* | automatonElement+) '}'
+    ;
+
+// In the language of a guest, who knows what stands between the braces.
+foreign
+    : stereotypes? keyword = ID name? javaBlock
     ;

@@ -78,6 +78,10 @@ public final class Checks {
                                 Walk::join));
         List<Diagnostic> found = new ArrayList<>();
         walk.findings().forEach(each -> found.addAll(each.diagnostics()));
+        if (!book.guests().isEmpty()) {
+            ForeignText foreign = ForeignText.in(workspace);
+            found.replaceAll(foreign::withoutRepair);
+        }
         List<Law> asked = new ArrayList<>(book.own());
         for (GuestLaws guest : book.guests()) {
             GuestReview.Outcome outcome =

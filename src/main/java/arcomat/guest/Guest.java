@@ -36,4 +36,9 @@ public interface Guest {
     default List<Law> laws() {
         return List.of();
     }
+
+    /** Languages for behaviours; no two guests of a run may have the same word for one. */
+    default List<BehaviourLanguage> languages() {
+        return List.of();
+    }
 }

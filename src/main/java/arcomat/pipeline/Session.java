@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.check.LawBook;
+import arcomat.guest.host.Guests;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -11,19 +12,20 @@ import java.util.List;
  *
  * @param names the paths of files, as the user writes them
  * @param progress told of what is being done
- * @param laws that models are checked by
+ * @param guests whose laws and languages are there besides the tool's
  * @param libraries model roots, as the user wrote them, that models may refer to and that somebody
  *     else is responsible for: nothing is asked about their models, nothing is made of them that
  *     their own project makes
  */
-public record Session(PathNames names, Progress progress, LawBook laws, List<String> libraries) {
+public record Session(
+        PathNames names, Progress progress, Guests guests, List<String> libraries) {
     public Session {
         libraries = List.copyOf(libraries);
     }
 
     /** Without guests, for models that stand alone. */
     public Session(PathNames names, Progress progress) {
-        this(names, progress, LawBook.OWN, List.of());
+        this(names, progress, Guests.NONE, List.of());
     }
 
     /**
@@ -35,17 +37,27 @@ public record Session(PathNames names, Progress progress, LawBook laws, List<Str
 
     /** The same, told of to somebody else. */
     public Session with(Progress other) {
-        return new Session(names, other, laws, libraries);
+        return new Session(names, other, guests, libraries);
     }
 
-    /** The same, with these laws. */
-    public Session with(LawBook other) {
-        return new Session(names, progress, other, libraries);
+    /** The same, with these guests. */
+    public Session with(Guests others) {
+        return new Session(names, progress, others, libraries);
     }
 
     /** The same, where models may refer to those of other projects. */
     public Session with(List<String> modelRoots) {
-        return new Session(names, progress, laws, modelRoots);
+        return new Session(names, progress, guests, modelRoots);
+    }
+
+    /** Whether there is somebody besides the tool. */
+    public boolean hasGuests() {
+        return !guests.laws().guests().isEmpty();
+    }
+
+    /** Those that models are checked by. */
+    public LawBook laws() {
+        return guests.laws();
     }
 
     /**

@@ -38,6 +38,14 @@ public final class Identifiers {
                         "'%s' is a word of the language; choose another name".formatted(text));
     }
 
+    /** Whether a text is a name that the language has no use for as a word. */
+    public static boolean isFree(String text) {
+        ArcomatLexer lexer = new ArcomatLexer(CharStreams.fromString(text));
+        lexer.removeErrorListeners();
+        Token only = lexer.nextToken();
+        return only.getType() == ArcomatLexer.ID && only.getText().equals(text);
+    }
+
     private static boolean isName(CommonTokenStream tokens) {
         ArcomatParser parser = new ArcomatParser(tokens);
         parser.removeErrorListeners();

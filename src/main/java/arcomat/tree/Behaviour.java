@@ -5,9 +5,9 @@ import arcomat.source.Span;
 import java.util.List;
 import java.util.Optional;
 
-/** A behaviour language embedded in a component: automata, or I/O tables. */
+/** A behaviour language embedded in a component: automata, I/O tables, or that of a guest. */
 public sealed interface Behaviour extends Element
-        permits Automaton, IoTable, Behaviour.Implementation {
+        permits Automaton, IoTable, Behaviour.Implementation, Behaviour.Foreign {
     /** The automata that it consists of; none in other languages. */
     List<Automaton> automata();
 
@@ -22,4 +22,24 @@ public sealed interface Behaviour extends Element
      */
     record Implementation(Span span, Optional<Name> name, List<Automaton> automata)
             implements Behaviour {}
+
+    /**
+     * A behaviour in the language of a guest, {@code blink lamp {..}}.
+     *
+     * @param body between the braces, as it was written
+     * @param automata what it means; none until a guest has said so
+     */
+    record Foreign(
+            Span span,
+            List<Stereotype> stereotypes,
+            Name keyword,
+            Optional<Name> name,
+            Span body,
+            List<Automaton> automata)
+            implements Behaviour {
+        /** With what it means. */
+        public Foreign meaning(Automaton automaton) {
+            return new Foreign(span, stereotypes, keyword, name, body, List.of(automaton));
+        }
+    }
 }

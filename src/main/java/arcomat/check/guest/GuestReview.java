@@ -13,10 +13,7 @@ import arcomat.tree.Unit;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -33,9 +30,6 @@ public record GuestReview(GuestLaws guest, Duration limit) {
 
     /** ARC1202: a guest takes too long. */
     static final String TOO_LONG = "ARC1202";
-
-    /** The same room for deep models as the tool's own laws have. */
-    private static final long STACK_BYTES = 512L << 20;
 
     /**
      * What came of it.
@@ -56,19 +50,11 @@ public record GuestReview(GuestLaws guest, Duration limit) {
         if (workspace.units().isEmpty()) {
             return new Outcome(List.of(), true);
         }
-        FutureTask<Outcome> work = new FutureTask<>(() -> walk(workspace, profile, wanted, goOn));
-        Thread thread = new Thread(null, work, "guest " + guest.guest(), STACK_BYTES);
-        thread.setDaemon(true);
-        thread.start();
         try {
-            return work.get(limit.toMillis(), TimeUnit.MILLISECONDS);
+            return new GuestThread(guest.guest(), limit)
+                    .call(() -> walk(workspace, profile, wanted, goOn));
         } catch (TimeoutException e) {
-            work.cancel(true);
             return tooLong(workspace);
-        } catch (InterruptedException e) {
-            work.cancel(true);
-            Thread.currentThread().interrupt();
-            throw new CancellationException();
         } catch (ExecutionException e) {
             throw unchecked(e.getCause());
         }

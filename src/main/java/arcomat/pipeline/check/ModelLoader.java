@@ -1,14 +1,15 @@
 package arcomat.pipeline.check;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.guest.ForeignBehaviours;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -33,6 +34,7 @@ public final class ModelLoader {
 
     private final PathNames names;
     private final Progress progress;
+    private final Guests guests;
     private final List<SourceFile> sources = new ArrayList<>();
     private final List<Unit> units = new ArrayList<>();
     private final List<Recovered> recovered = new ArrayList<>();
@@ -41,14 +43,14 @@ public final class ModelLoader {
     private final Map<String, Path> places = new HashMap<>();
     private final Set<Path> known = new HashSet<>();
 
-    private ModelLoader(PathNames names, Progress progress) {
-        this.names = names;
-        this.progress = progress;
+    private ModelLoader(Session session) {
+        this.names = session.names();
+        this.progress = session.progress();
+        this.guests = session.guests();
     }
 
     static LoadedModels load(List<String> paths, Session session) {
-        return new ModelLoader(session.names(), session.progress())
-                .load(paths, session.libraries());
+        return new ModelLoader(session).load(paths, session.libraries());
     }
 
     private LoadedModels load(List<String> paths, List<String> libraries) {
@@ -111,7 +113,7 @@ public final class ModelLoader {
     /** Returns the trees, those with gaps included. */
     private List<Unit> parse(List<SourceFile> fresh) {
         sources.addAll(fresh);
-        List<Parsed> parsed = parse(fresh, progress);
+        List<Parsed> parsed = parse(fresh, guests, progress);
         List<Unit> parsedUnits = new ArrayList<>();
         for (int i = 0; i < parsed.size(); i++) {
             Parsed each = parsed.get(i);
@@ -127,7 +129,7 @@ public final class ModelLoader {
     }
 
     /** Large amounts of text by several threads. */
-    public static List<Parsed> parse(List<SourceFile> files, Progress progress) {
+    public static List<Parsed> parse(List<SourceFile> files, Guests guests, Progress progress) {
         progress.step("parsing", files.size(), "file");
         long size = files.stream().mapToLong(file -> file.text().length()).sum();
         Stream<SourceFile> stream =
@@ -135,7 +137,7 @@ public final class ModelLoader {
         return stream.map(
                         file -> {
                             progress.goOn();
-                            return Parser.parse(file);
+                            return ForeignBehaviours.parse(file, guests);
                         })
                 .toList();
     }

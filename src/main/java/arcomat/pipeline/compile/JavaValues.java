@@ -33,7 +33,7 @@ final class JavaValues {
 
     /** Enums become their codes, integers Java's int or long, objects those of their class. */
     Object toJava(Value value, Type type) {
-        return value.match(new ToJava(type));
+        return new ToJava(type).of(value);
     }
 
     private Object object(Value.ObjectValue value) {
@@ -65,7 +65,7 @@ final class JavaValues {
     }
 
     /** What Java holds for a value of a type. */
-    private final class ToJava implements Value.Cases<Object> {
+    private final class ToJava implements FieldForm {
         private final Type type;
 
         ToJava(Type type) {
@@ -73,36 +73,8 @@ final class JavaValues {
         }
 
         @Override
-        public Object booleanValue(Value.BooleanValue truth) {
-            return truth.value();
-        }
-
-        @Override
-        public Object integerValue(Value.IntegerValue integer) {
-            boolean isLong =
-                    type instanceof Type.IntegerType whole && whole.width() == Type.Width.LONG;
-            return isLong ? (Object) integer.value() : (Object) (int) integer.value();
-        }
-
-        @Override
-        public Object realValue(Value.RealValue real) {
-            boolean isSingle = type instanceof Type.RealType number && number.single();
-            return isSingle ? (Object) (float) real.value() : (Object) real.value();
-        }
-
-        @Override
-        public Object characterValue(Value.CharacterValue character) {
-            return character.value();
-        }
-
-        @Override
-        public Object stringValue(Value.StringValue string) {
-            return string.value();
-        }
-
-        @Override
-        public Object enumValue(Value.EnumValue constant) {
-            return constant.ordinal() + 1;
+        public Type type() {
+            return type;
         }
 
         @Override

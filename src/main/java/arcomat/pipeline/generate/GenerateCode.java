@@ -165,11 +165,7 @@ public record GenerateCode(
             // Programs for the brick hold all that they need.
             LibraryCode.of(target, choosing(), session).leaveOutOf(output);
         }
-        return new Draft(
-                result,
-                output,
-                built,
-                watches.stream().map(RobotWatch::of).toList());
+        return new Draft(result, output, built, watches.stream().map(RobotWatch::of).toList());
     }
 
     private Made write(Draft draft, Session session) throws WrongUse {

@@ -2,10 +2,13 @@ package arcomat.pipeline.guest;
 
 import arcomat.check.guest.GuestLaws;
 import arcomat.check.law.Law;
+import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
+import arcomat.guest.host.Guests.Language;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Sha256;
+import arcomat.syntax.Identifiers;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -32,6 +35,9 @@ import java.util.stream.Stream;
  * @param path as the user wrote it
  */
 record GuestJar(String path, URLClassLoader loader, String identity) {
+    /** What a guest brings. */
+    record Arrival(GuestLaws laws, List<Language> languages) {}
+
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
 
@@ -84,12 +90,12 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
      *
      * @throws WrongUse where there is none, or one of another version, or one that is not in order
      */
-    List<GuestLaws> guests() throws WrongUse {
-        List<GuestLaws> guests = new ArrayList<>();
+    List<Arrival> arrivals() throws WrongUse {
+        List<Arrival> guests = new ArrayList<>();
         try {
             for (Guest guest : ServiceLoader.load(Guest.class, loader)) {
                 if (guest.getClass().getClassLoader() == loader) {
-                    guests.add(laws(guest));
+                    guests.add(arrival(guest));
                 }
             }
         } catch (ServiceConfigurationError e) {
@@ -113,7 +119,7 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                 path, reason);
     }
 
-    private GuestLaws laws(Guest guest) throws WrongUse {
+    private Arrival arrival(Guest guest) throws WrongUse {
         if (guest.api() != Guest.API) {
             throw new WrongUse(
                     "the guest '%s' was made for version %d of arcomat-api, and this is version"
@@ -127,7 +133,10 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                             + " hyphens, 40 at most",
                     path, name);
         }
-        List<Law> laws = guest.laws();
+        return new Arrival(laws(name, guest.laws()), languages(name, guest.languages()));
+    }
+
+    private GuestLaws laws(String name, List<Law> laws) throws WrongUse {
         for (Law law : laws) {
             if (!CODE.matcher(law.code()).matches()) {
                 throw new WrongUse(
@@ -137,6 +146,22 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
             }
         }
         return new GuestLaws(name, identity, laws, this::page);
+    }
+
+    private static List<Language> languages(String name, List<BehaviourLanguage> brought)
+            throws WrongUse {
+        List<Language> languages = new ArrayList<>();
+        for (BehaviourLanguage each : brought) {
+            String keyword = each.keyword();
+            if (!Identifiers.isFree(keyword)) {
+                throw new WrongUse(
+                        "behaviours of guest '%s' begin with '%s'; it has to be a name, and none of"
+                                + " Arcomat's own words",
+                        name, keyword);
+            }
+            languages.add(new Language(name, keyword, each));
+        }
+        return languages;
     }
 
     /** What the guest says about a code of its own. */

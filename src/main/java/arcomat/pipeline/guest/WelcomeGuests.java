@@ -3,6 +3,8 @@ package arcomat.pipeline.guest;
 import arcomat.check.LawBook;
 import arcomat.check.guest.GuestLaws;
 import arcomat.check.law.Law;
+import arcomat.guest.host.Guests;
+import arcomat.guest.host.Guests.Language;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -13,22 +15,27 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The laws of a run with these guests.
+ * Lets guests in.
  *
  * @param paths of jars and of folders of classes, as the user wrote them
  */
-public record WelcomeGuests(List<String> paths) implements Task<LawBook> {
+public record WelcomeGuests(List<String> paths) implements Task<Guests> {
     /**
      * @throws WrongUse where there is no guest at a path, or one that cannot stay
      */
     @Override
-    public LawBook run(Session session) throws WrongUse {
-        List<GuestLaws> guests = new ArrayList<>();
+    public Guests run(Session session) throws WrongUse {
+        List<GuestLaws> laws = new ArrayList<>();
+        List<Language> languages = new ArrayList<>();
         for (String path : paths) {
-            guests.addAll(GuestJar.open(path, session.names()).guests());
+            for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
+                laws.add(each.laws());
+                languages.addAll(each.languages());
+            }
         }
-        requireDifferent(guests);
-        return LawBook.of(guests);
+        requireDifferent(laws);
+        requireWords(languages);
+        return new Guests(LawBook.of(laws), languages);
     }
 
     /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
@@ -48,6 +55,19 @@ public record WelcomeGuests(List<String> paths) implements Task<LawBook> {
                                     + " leave one of them out",
                             law.code(), other, guest.guest());
                 }
+            }
+        }
+    }
+
+    private static void requireWords(List<Language> languages) throws WrongUse {
+        Map<String, Language> words = new HashMap<>();
+        for (Language language : languages) {
+            Language other = words.put(language.keyword(), language);
+            if (other != null) {
+                throw new WrongUse(
+                        "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
+                            + " one of them out",
+                        language.keyword(), other.guest(), language.guest());
             }
         }
     }

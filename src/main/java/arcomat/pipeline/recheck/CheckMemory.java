@@ -1,13 +1,14 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.file.FileFinder.Found;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.guest.ForeignBehaviours;
 import arcomat.report.text.Sha256;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
 
 import org.jspecify.annotations.Nullable;
 
@@ -42,7 +43,15 @@ public final class CheckMemory {
     private final Map<Path, Known> texts = new ConcurrentHashMap<>();
     private final Map<String, Digest> digests = new ConcurrentHashMap<>();
     private final Map<String, Tree> trees = new ConcurrentHashMap<>();
+    private final Guests guests;
     private Optional<CheckState> state = Optional.empty();
+
+    /**
+     * @param guests who know what some behaviours mean
+     */
+    public CheckMemory(Guests guests) {
+        this.guests = guests;
+    }
 
     /** Reads a file, or returns what was read of it. */
     FileReader.Read read(Found found) {
@@ -89,7 +98,7 @@ public final class CheckMemory {
         if (known != null && known.file() == file) {
             return known.parsed();
         }
-        Parsed parsed = Parser.parse(file);
+        Parsed parsed = ForeignBehaviours.parse(file, guests);
         trees.put(file.path(), new Tree(file, parsed));
         return parsed;
     }
@@ -103,7 +112,7 @@ public final class CheckMemory {
                 unknown.add(file);
             }
         }
-        List<Parsed> fresh = ModelLoader.parse(unknown, progress);
+        List<Parsed> fresh = ModelLoader.parse(unknown, guests, progress);
         for (int i = 0; i < unknown.size(); i++) {
             trees.put(unknown.get(i).path(), new Tree(unknown.get(i), fresh.get(i)));
         }

@@ -48,7 +48,9 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
      * @param file what the last check left, if any
      */
     public Outcome run(StateFile file) {
-        return run(new CheckMemory(), (key, named) -> file.read(key, path -> source(path, named)));
+        return run(
+                new CheckMemory(session.guests()),
+                (key, named) -> file.read(key, path -> source(path, named)));
     }
 
     /** Checks with what is remembered, and remembers what is found. */

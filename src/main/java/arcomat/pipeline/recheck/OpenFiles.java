@@ -4,6 +4,7 @@ import arcomat.check.Checks;
 import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.Library;
@@ -71,7 +72,7 @@ final class OpenFiles {
         edit.removed().forEach(after::remove);
         edit.unreadable().forEach(finding -> after.put(path(finding), unreadable(finding)));
         StateOfFiles states = states(after.keySet(), edit);
-        List<Parsed> parsed = ModelLoader.parse(edit.written(), Progress.NONE);
+        List<Parsed> parsed = ModelLoader.parse(edit.written(), Guests.NONE, Progress.NONE);
         for (int i = 0; i < parsed.size(); i++) {
             SourceFile source = edit.written().get(i);
             after.put(source.path(), open(states, source, parsed.get(i), true));
@@ -124,7 +125,8 @@ final class OpenFiles {
                 OpenFile file = files.get(path);
                 if (file == null || file.remembered().named()) {
                     SourceFile source = Library.file(path);
-                    Parsed parsed = ModelLoader.parse(List.of(source), Progress.NONE).get(0);
+                    Parsed parsed =
+                            ModelLoader.parse(List.of(source), Guests.NONE, Progress.NONE).get(0);
                     file = open(states, source, parsed, false);
                 }
                 after.put(path, file);
@@ -181,7 +183,7 @@ final class OpenFiles {
     /** What names would mean if a file had another text. */
     OpenModels.Draft draft(SourceFile text) {
         Map<String, Parsed> parsed = parsed();
-        Parsed written = ModelLoader.parse(List.of(text), Progress.NONE).get(0);
+        Parsed written = ModelLoader.parse(List.of(text), Guests.NONE, Progress.NONE).get(0);
         parsed.put(text.path(), written);
         return new OpenModels.Draft(written.readable(), workspace(parsed));
     }

@@ -35,7 +35,7 @@ final class Rounds {
     private final AnalysisLimits limits;
     private final WatchedFiles watched;
     private final Blackboard board;
-    private final CheckMemory memory = new CheckMemory();
+    private final CheckMemory memory;
     private Interruption current = new Interruption();
     private @Nullable Thread slow;
 
@@ -48,6 +48,7 @@ final class Rounds {
             Blackboard board) {
         this.paths = paths;
         this.session = session.with(Progress.NONE);
+        this.memory = new CheckMemory(session.guests());
         this.tool = tool;
         this.limits = limits;
         this.watched = watched;

@@ -247,6 +247,18 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 span(context), phrases.optionalName(context.name()), automata(context));
     }
 
+    @Override
+    public Element visitForeign(ArcomatParser.ForeignContext context) {
+        Span block = span(context.javaBlock());
+        return new Behaviour.Foreign(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                phrases.name(context.keyword),
+                phrases.optionalName(context.name()),
+                new Span(block.file(), block.start() + 1, block.end() - 1),
+                List.of());
+    }
+
     private List<Automaton> automata(ArcomatParser.ImplementationContext context) {
         List<ArcomatParser.AutomatonElementContext> bare = context.automatonElement();
         if (bare.isEmpty()) {

@@ -9,6 +9,7 @@ import org.gradle.api.plugins.JavaPluginExtension;
 import org.gradle.api.provider.Provider;
 import org.gradle.api.tasks.SourceSet;
 import org.gradle.api.tasks.SourceSetContainer;
+import org.gradle.util.GradleVersion;
 
 import java.io.File;
 import java.io.IOException;
@@ -25,6 +26,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
 
     @Override
     public void apply(Project project) {
+        GradleRange.require(GradleVersion.current());
         project.getPluginManager().apply(JavaPlugin.class);
         ArcomatExtension settings = settings(project);
         Configuration tool = tool(project, settings);

@@ -83,19 +83,30 @@ final class ConsumerProject {
         append("build.gradle", TOOL_OF_THIS_BUILD);
     }
 
-    /**
-     * The same, with what is published in the folder {@code repository}; other libraries have been
-     * fetched already, for this build.
-     */
+    /** Puts the engine for clusters beside the tool. */
+    void useEngineOfThisBuild() {
+        append("build.gradle", "dependencies { arcomat files(%s) }".formatted(files("engine")));
+    }
+
+    /** The shop, with what is published. */
     static ConsumerProject publishedShop(Path folder) {
-        copy(Path.of("src/test/projects/shop"), folder);
+        ConsumerProject project = published(Path.of("src/test/projects/shop"), folder);
+        String plugin = "id 'arcomat'";
+        String version = " version '" + System.getProperty("version") + "'";
+        project.edit("build.gradle", plugin, plugin + version);
+        return project;
+    }
+
+    /**
+     * A copy of a project, with what is published in the folder {@code repository}; other libraries
+     * have been fetched already, for this build.
+     */
+    static ConsumerProject published(Path original, Path folder) {
+        copy(original, folder);
         ConsumerProject project = new ConsumerProject(folder, ConsumerProject::withLibraries);
         String repository = Path.of(System.getProperty("repository")).toUri().toString();
         String settings = project.read("settings.gradle");
         project.write("settings.gradle", PUBLISHED.formatted(repository) + settings);
-        String plugin = "id 'arcomat'";
-        String version = " version '" + System.getProperty("version") + "'";
-        project.edit("build.gradle", plugin, plugin + version);
         return project;
     }
 

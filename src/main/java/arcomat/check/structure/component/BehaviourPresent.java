@@ -3,6 +3,7 @@ package arcomat.check.structure.component;
 import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Element;
 
 /** ARC0125: before code is made, each component says what it does. */
@@ -17,7 +18,8 @@ public final class BehaviourPresent implements Check.OnComponent {
                         || !component.tables().isEmpty();
         boolean isExcused =
                 Connections.lacksAncestor(component)
-                        || !component.node().elements(Element.JavaPart.class).isEmpty();
+                        || !component.node().elements(Element.JavaPart.class).isEmpty()
+                        || !component.node().elements(Behaviour.Foreign.class).isEmpty();
         if (!hasBehaviour && !isExcused) {
             findings.report(
                     component.nameSpan(),

@@ -16,6 +16,7 @@ public final class ComponentLaws {
             List.of(
                     error("ARC0117", new ArgumentCount()),
                     error("ARC0118", new ArgumentType()),
+                    error("ARC0133", new BehaviourLanguageKnown()),
                     executableError("ARC0125", new BehaviourPresent()).needing(ALL),
                     error("ARC0130", new ClauseUnique()),
                     error("ARC0128", new ComponentVariableConstant()),

@@ -4,6 +4,7 @@ import arcomat.cli.command.Command;
 import arcomat.cli.terminal.Version;
 import arcomat.editor.LanguageService;
 import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 
 import picocli.CommandLine;
 
@@ -21,7 +22,10 @@ import picocli.CommandLine;
         })
 public final class LanguageServerCommand extends Command {
     @Override
-    protected int run(Session session) {
+    protected int run(Session session) throws WrongUse {
+        if (session.hasGuests()) {
+            throw new WrongUse("the language server takes no guests yet; leave --with out");
+        }
         try {
             return LanguageService.serve(System.in, System.out, Version.number());
         } catch (InterruptedException e) {

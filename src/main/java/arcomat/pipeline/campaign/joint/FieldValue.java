@@ -2,46 +2,10 @@ package arcomat.pipeline.campaign.joint;
 
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.pipeline.compile.FieldForm;
 
 /** A value of a model as the fields and constructors of generated monitors take it. */
-public record FieldValue(Type type) implements Value.Cases<Object> {
-    /** The object for a value of the type; enums are their codes. */
-    public Object of(Value value) {
-        return value.match(this);
-    }
-
-    @Override
-    public Object booleanValue(Value.BooleanValue truth) {
-        return truth.value();
-    }
-
-    @Override
-    public Object integerValue(Value.IntegerValue integer) {
-        boolean isLong = type instanceof Type.IntegerType whole && whole.width() == Type.Width.LONG;
-        return isLong ? (Object) integer.value() : (Object) (int) integer.value();
-    }
-
-    @Override
-    public Object realValue(Value.RealValue real) {
-        boolean isSingle = type instanceof Type.RealType number && number.single();
-        return isSingle ? (Object) (float) real.value() : (Object) real.value();
-    }
-
-    @Override
-    public Object characterValue(Value.CharacterValue character) {
-        return character.value();
-    }
-
-    @Override
-    public Object stringValue(Value.StringValue string) {
-        return string.value();
-    }
-
-    @Override
-    public Object enumValue(Value.EnumValue constant) {
-        return constant.ordinal() + 1;
-    }
-
+public record FieldValue(Type type) implements FieldForm {
     /** Neither what is read in a world nor what is written as an argument is one. */
     @Override
     public Object objectValue(Value.ObjectValue value) {

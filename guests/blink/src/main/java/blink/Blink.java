@@ -1,0 +1,77 @@
+package blink;
+
+import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.Guest;
+import arcomat.guest.Meaning;
+import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** A lamp that is on for some slices and off for some: blink lit { on 3, off 2 }. */
+public final class Blink implements Guest, BehaviourLanguage {
+    private static final Pattern PHASE = Pattern.compile("(on|off)\\s+([0-9]+)");
+
+    @Override
+    public int api() {
+        return API;
+    }
+
+    @Override
+    public String name() {
+        return "blink";
+    }
+
+    @Override
+    public List<BehaviourLanguage> languages() {
+        return List.of(this);
+    }
+
+    @Override
+    public String keyword() {
+        return "blink";
+    }
+
+    @Override
+    public void translate(Written behaviour, Meaning meaning) {
+        if (behaviour.name().isEmpty()) {
+            meaning.problem(behaviour.keyword(), "say which port blinks, as in blink lit {..}");
+            return;
+        }
+        String port = behaviour.name().get().text();
+        List<Span> phases = new ArrayList<>();
+        Matcher phase = PHASE.matcher(behaviour.body().text());
+        while (phase.find()) {
+            phases.add(behaviour.part(phase.start(), phase.end()));
+            if (phase.group(2).matches("0+")) {
+                meaning.problem(phases.get(phases.size() - 1), "a phase has at least one slice");
+            }
+        }
+        List<Slice> slices = slices(phases);
+        for (int i = 0; i < slices.size(); i++) {
+            Slice slice = slices.get(i);
+            String next = slices.get((i + 1) % slices.size()).state();
+            meaning.write(slice.place(), "state %s;", slice.state());
+            if (i == 0) {
+                meaning.write(slice.place(), "initial %s;", slice.state());
+            }
+            meaning.write(
+                    slice.place(), "%s -> %s / {%s = %s};", slice.state(), next, port, slice.lit());
+        }
+    }
+
+    private record Slice(Span place, String state, boolean lit) {}
+
+    private static List<Slice> slices(List<Span> phases) {
+        List<Slice> slices = new ArrayList<>();
+        for (Span phase : phases) {
+            String[] words = phase.text().split("\\s+");
+            for (int i = 0; i < Integer.parseInt(words[1]); i++) {
+                slices.add(new Slice(phase, "slice" + slices.size(), words[0].equals("on")));
+            }
+        }
+        return slices;
+    }
+}

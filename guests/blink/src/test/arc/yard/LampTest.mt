@@ -1,0 +1,9 @@
+package yard;
+
+testsuite LampTest for Lamp {
+    test blinks {
+        expect {
+            lit: <true, Tk, true, Tk, false, Tk, true>;
+        }
+    }
+}

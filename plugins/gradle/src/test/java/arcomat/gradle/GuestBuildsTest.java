@@ -1,0 +1,32 @@
+package arcomat.gradle;
+
+import static arcomat.gradle.ConsumerProject.outcomes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.nio.file.Path;
+
+/** The guests of {@code guests/} know nothing of this build but a repository. */
+@Tag("slow")
+class GuestBuildsTest {
+    @TempDir private Path folder;
+
+    @ParameterizedTest
+    @CsvSource({
+        "blink, tryLanguage, src/main/java/blink/Blink.java, equals(\"on\"), equals(\"off\")",
+        "lab, tryLaws, src/main/java/lab/PortSaysWhatIs.java, says what is not, says nothing"
+    })
+    void isBuiltAndTried(String guest, String task, String file, String good, String bad) {
+        ConsumerProject project = ConsumerProject.published(Path.of("../../guests", guest), folder);
+        String version = "-ParcomatVersion=" + System.getProperty("version");
+        assertThat(outcomes(project.build("check", version))).contains(":" + task + " SUCCESS");
+
+        project.edit(file, good, bad);
+        assertThat(outcomes(project.fail("check", version))).contains(":" + task + " FAILED");
+    }
+}

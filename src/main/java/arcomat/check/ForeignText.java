@@ -1,0 +1,46 @@
+package arcomat.check;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Behaviour;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The behaviours in languages of guests: what mends Arcomat's own text may spoil theirs. */
+record ForeignText(List<Span> bodies) {
+    static ForeignText in(Workspace workspace) {
+        List<Span> bodies = new ArrayList<>();
+        for (ComponentSymbol component : workspace.components()) {
+            for (Behaviour.Foreign each : component.node().elements(Behaviour.Foreign.class)) {
+                bodies.add(each.body());
+            }
+        }
+        return new ForeignText(bodies);
+    }
+
+    /** The finding, which proposes nothing that would be written into such a behaviour. */
+    Diagnostic withoutRepair(Diagnostic finding) {
+        boolean isInside =
+                finding.fix().isPresent()
+                        && bodies.stream().anyMatch(body -> isIn(finding.span(), body));
+        return isInside
+                ? new Diagnostic(
+                        finding.code(),
+                        finding.severity(),
+                        finding.span(),
+                        finding.message(),
+                        finding.related(),
+                        Optional.empty())
+                : finding;
+    }
+
+    private static boolean isIn(Span place, Span body) {
+        return place.file().path().equals(body.file().path())
+                && body.start() <= place.start()
+                && place.end() <= body.end();
+    }
+}

@@ -1,0 +1,34 @@
+package arcomat.guest.host;
+
+import arcomat.check.LawBook;
+import arcomat.guest.BehaviourLanguage;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Who is there besides the tool itself.
+ *
+ * @param laws the tool's and theirs
+ * @param languages that behaviours may be written in, besides automata and tables
+ */
+public record Guests(LawBook laws, List<Language> languages) {
+    /** Nobody. */
+    public static final Guests NONE = new Guests(LawBook.OWN, List.of());
+
+    public Guests {
+        languages = List.copyOf(languages);
+    }
+
+    /**
+     * A language with the name of its guest.
+     *
+     * @param keyword what the language said it is, once
+     */
+    public record Language(String guest, String keyword, BehaviourLanguage translator) {}
+
+    /** The language that begins with a word. */
+    public Optional<Language> language(String keyword) {
+        return languages.stream().filter(each -> each.keyword().equals(keyword)).findFirst();
+    }
+}

@@ -1,0 +1,82 @@
+package arcomat.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.editor.desk.Desk;
+import arcomat.pipeline.recheck.FirstLook;
+import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Diagnostic;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Who opens a file sees what is wrong with it before all others are known. */
+class FirstFindingsTest {
+    private static final String WHOLE =
+            """
+            package p;
+
+            component Whole {
+                port in Boolean on;
+                component Part part;
+                connect on -> part.off;
+            }
+            """;
+
+    @TempDir private Path folder;
+    private final Desk desk = new Desk();
+
+    @BeforeEach
+    void write() throws IOException {
+        folder = folder.toRealPath();
+        Files.createDirectory(folder.resolve("p"));
+        Files.writeString(place("Whole"), WHOLE);
+        Files.writeString(
+                place("Part"), "package p;\n\ncomponent Part {\n    port in Boolean on;\n}\n");
+        Files.writeString(
+                place("Other"), "package p;\n\ncomponent Another {\n    port in Boolean on;\n}\n");
+        desk.add(folder);
+        desk.open(place("Whole"), WHOLE);
+    }
+
+    private Path place(String name) {
+        return folder.resolve("p").resolve(name + ".arc");
+    }
+
+    @Test
+    void ofAFileThatIsOpenedBeforeTheOthersAreRead() {
+        Optional<FirstLook> look = desk.firstLook(place("Whole"));
+        assertThat(look.map(each -> each.models().paths()).orElseThrow())
+                .containsExactly("p/Part.arc", "p/Whole.arc");
+        assertThat(codes(look.orElseThrow().findings())).containsExactly("ARC0103");
+        desk.check(() -> {});
+        assertThat(desk.firstLook(place("Whole"))).isEmpty();
+        assertThat(codes(models().findings("p/Whole.arc"))).containsExactly("ARC0103");
+    }
+
+    @Test
+    void ofWhatIsOnTheScreenBeforeTheRest() {
+        desk.checkScreen(() -> {});
+        assertThat(codes(models().findings("p/Whole.arc"))).containsExactly("ARC0103");
+        assertThat(models().due()).containsExactlyInAnyOrder("p/Part.arc", "p/Other.arc");
+        assertThat(desk.checkSome(() -> {})).isTrue();
+        assertThat(desk.checkSome(() -> {})).isFalse();
+        assertThat(models().due()).isEmpty();
+        assertThat(codes(models().findings("p/Other.arc"))).containsExactly("ARC0207");
+    }
+
+    private OpenModels models() {
+        return desk.models().iterator().next();
+    }
+
+    private static List<String> codes(List<Diagnostic> findings) {
+        return findings.stream().filter(Diagnostic::isError).map(Diagnostic::code).toList();
+    }
+}
