@@ -261,6 +261,41 @@ class ResultPagesTest {
         assertThat(story.timeline().flaws()).extracting(Flaw::at).containsExactly(4);
     }
 
+    /** The side that does nothing says which transition came nearest; the other one goes. */
+    @Test
+    void aCounterexampleSaysWhyNot() throws Exception {
+        String guarded =
+                """
+                component Guarded {
+                  port in Boolean x, out Boolean y;
+                  <<completion = "ignore">> automaton {
+                    state a, b;
+                    initial a;
+                    a -> b {x == true} / {y = true};
+                    b -> a {x == false} / {y = true};
+                  }
+                }
+                """;
+        write("Guarded.arc", guarded);
+        write(
+                "Eager.arc",
+                guarded.replace("component Guarded", "component Eager refines Guarded")
+                        .replace("b -> a {x == false}", "b -> a {x == true}"));
+        AnalysisLimits limits = new AnalysisLimits(Optional.empty(), Optional.empty());
+        List<Answered> answers =
+                Session.in(folder, Progress.NONE)
+                        .run(new VerifyPromises(List.of("."), limits))
+                        .value()
+                        .orElseThrow();
+        Story story = VerdictPage.of("verify", "all", answers).stories().get(0);
+        assertThat(texts(track(story, "left: Eager why not")))
+                .containsExactly(
+                        "-", "-", "left: b -> a (line 7) did not fire: x == true: x is false");
+        assertThat(story.timeline().tracks())
+                .extracting(Track::name)
+                .doesNotContain("right: Guarded why not");
+    }
+
     @Test
     void aMessageOfAnEventIsFoundInItsEvent() throws Exception {
         write(

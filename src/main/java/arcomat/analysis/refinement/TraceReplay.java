@@ -4,6 +4,7 @@ import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.system.ConfigurationText;
 import arcomat.model.Automaton;
 import arcomat.model.Letter;
+import arcomat.model.Refusal;
 import arcomat.model.Trace;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
@@ -11,6 +12,7 @@ import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.automaton.StepRelation.Start;
+import arcomat.semantics.automaton.WhyNot;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
@@ -34,6 +36,7 @@ public final class TraceReplay {
     private final Set<String> late;
     private final ComponentSemantics behaviour;
     private final StepRelation relation;
+    private final WhyNot whyNot;
 
     /**
      * What is taken and reached in a moment; several where a side may be in several states.
@@ -41,12 +44,19 @@ public final class TraceReplay {
      * @param states positions among the states of the automaton
      * @param transitions positions among its transitions
      * @param initials positions among its initial clauses; of the first moment only
+     * @param nearest where no transition is enabled: for each place where a side may be, the one
+     *     that needed least to be
      */
-    public record Visited(Set<Integer> states, Set<Integer> transitions, Set<Integer> initials) {
+    public record Visited(
+            Set<Integer> states,
+            Set<Integer> transitions,
+            Set<Integer> initials,
+            List<Refusal> nearest) {
         public Visited {
             states = sorted(states);
             transitions = sorted(transitions);
             initials = sorted(initials);
+            nearest = List.copyOf(nearest);
         }
     }
 
@@ -59,6 +69,7 @@ public final class TraceReplay {
         private final Set<Configuration> configurations = new LinkedHashSet<>();
         private final Set<Integer> transitions = new LinkedHashSet<>();
         private final Set<Integer> initials = new LinkedHashSet<>();
+        private final Set<Refusal> nearest = new LinkedHashSet<>();
 
         Visited visited() {
             Set<Integer> states = new LinkedHashSet<>();
@@ -67,7 +78,7 @@ public final class TraceReplay {
                     states.add(each.state());
                 }
             }
-            return new Visited(states, transitions, initials);
+            return new Visited(states, transitions, initials, List.copyOf(nearest));
         }
     }
 
@@ -79,6 +90,7 @@ public final class TraceReplay {
         this.late = late;
         behaviour = ComponentSemantics.of(side.component(), List.of(automaton), side.arguments());
         relation = behaviour.relations().get(0);
+        whyNot = WhyNot.of(relation);
     }
 
     /**
@@ -150,6 +162,7 @@ public final class TraceReplay {
         Step step = new Step();
         Input input = Input.of(side.component(), letter);
         for (Configuration each : before) {
+            nearest(each, input).ifPresent(step.nearest::add);
             for (Reaction reaction : reactions(each, input)) {
                 if (isMeant(reaction.next(), words) && allows(reaction.output(), shown)) {
                     step.configurations.add(reaction.next());
@@ -160,6 +173,13 @@ public final class TraceReplay {
             }
         }
         return step;
+    }
+
+    /** Where something is enabled, nobody asks why something else is not. */
+    private Optional<Refusal> nearest(Configuration before, Input input) {
+        return before.isState() && relation.choices(before, input).enabled().isEmpty()
+                ? whyNot.nearest(before, input)
+                : Optional.empty();
     }
 
     private List<Reaction> reactions(Configuration before, Input input) {

@@ -3,8 +3,10 @@ package arcomat.report.verdict;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.TraceReplay;
+import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
+import arcomat.model.Refusal;
 import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
@@ -16,6 +18,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** A counterexample as tracks: ports, and where both sides are; with the automata of both. */
@@ -77,15 +80,30 @@ final class MomentTracks {
         tracks.add(Track.of(BOTH, terms.right(), Kind.STATE, possible.stream()));
     }
 
+    /** Why nothing was enabled where nothing was; of one that always found something, nothing. */
+    private void nearest(String side, String title, List<Visited> visited) {
+        if (visited.stream().anyMatch(each -> !each.nearest().isEmpty())) {
+            Stream<String> words = visited.stream().map(each -> nearest(side, each));
+            tracks.add(Track.of(BOTH, side + ": " + title + " why not", Kind.REASON, words));
+        }
+    }
+
+    private static String nearest(String side, Visited visited) {
+        return visited.nearest().stream()
+                .map(each -> side + ": " + each.words())
+                .distinct()
+                .collect(Collectors.joining("  or  "));
+    }
+
     private void automata(int position) {
         Promise side = answered.sides().get(position);
         for (Automaton automaton : side.automata()) {
             String sideName = position == 0 ? "left" : "right";
             String title = side.component().title(automaton);
             String name = sideName + ": " + title + WAY;
-            tracks.add(
-                    AutomatonDrawing.way(
-                            name, TraceReplay.of(answered.sides(), position, automaton, trace)));
+            List<Visited> visited = TraceReplay.of(answered.sides(), position, automaton, trace);
+            tracks.add(AutomatonDrawing.way(name, visited));
+            nearest(sideName, title, visited);
             drawings.add(
                     pictures.of(
                             sideName + ": " + title, side.component(), automaton, List.of(name)));

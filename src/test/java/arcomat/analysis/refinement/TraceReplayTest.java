@@ -8,6 +8,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.model.Model;
+import arcomat.model.Refusal;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -25,7 +26,8 @@ import java.util.stream.Stream;
  * {@code == trace A B} stands a line for each automaton of both sides, with the states that it is
  * in after each moment, {@code --} for none, and, behind {@code by}, the transitions to there; the
  * initial clauses have numbers. Below {@code == anywhere A B} stand the ways of those of B where
- * nobody says where they are.
+ * nobody says where they are. Below {@code == nearest A B} stands, moment by moment, why no
+ * transition was enabled, for each automaton as below {@code == trace A B}.
  */
 class TraceReplayTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/trace-replay.txt");
@@ -50,6 +52,10 @@ class TraceReplayTest {
             List<Promise> sides = List.of(left, right);
             left.automata().forEach(a -> lines.add(text(a, TraceReplay.of(sides, 0, a, trace))));
             right.automata().forEach(a -> lines.add(text(a, TraceReplay.of(sides, 1, a, trace))));
+        } else if (asked.kind().equals("nearest")) {
+            List<Promise> sides = List.of(left, right);
+            left.automata().forEach(a -> lines.add(nearest(TraceReplay.of(sides, 0, a, trace))));
+            right.automata().forEach(a -> lines.add(nearest(TraceReplay.of(sides, 1, a, trace))));
         } else {
             right.automata()
                     .forEach(a -> lines.add(text(a, TraceReplay.anywhere(right, a, trace))));
@@ -69,6 +75,13 @@ class TraceReplayTest {
                         + words(visited.transitions(), i -> move(automaton, i));
         String states = words(visited.states(), automaton.states()::get);
         return (states.isEmpty() ? "--" : states) + (by.isEmpty() ? "" : " by " + by);
+    }
+
+    private static String nearest(List<Visited> visited) {
+        return visited.stream()
+                .map(each -> each.nearest().stream().map(Refusal::words).toList())
+                .map(each -> each.isEmpty() ? "--" : String.join(" or ", each))
+                .collect(Collectors.joining(" | "));
     }
 
     private static String move(Automaton automaton, int transition) {
