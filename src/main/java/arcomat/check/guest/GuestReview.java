@@ -56,7 +56,7 @@ public record GuestReview(GuestLaws guest, Duration limit) {
         } catch (TimeoutException e) {
             return tooLong(workspace);
         } catch (ExecutionException e) {
-            throw unchecked(e.getCause());
+            throw unchecked(e.getCause() == null ? e : e.getCause());
         }
     }
 

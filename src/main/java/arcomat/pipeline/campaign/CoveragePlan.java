@@ -76,7 +76,10 @@ final class CoveragePlan {
     private void findParts(String robot, Set<String> programs) {
         for (String program : programs) {
             CodeLayout layout = layouts.get(program);
-            for (PartPlace place : layout == null ? List.<PartPlace>of() : PartPlace.all(layout)) {
+            if (layout == null) {
+                continue;
+            }
+            for (PartPlace place : PartPlace.all(layout)) {
                 for (AutomatonLines each : layout.automata()) {
                     if (each.component().qualifiedName().equals(place.component())) {
                         PartItems part = new PartItems(robot, place.path(), place(each));

@@ -71,7 +71,7 @@ final class StoredTable {
         } catch (IllegalArgumentException e) {
             throw new WrongUse(
                     "%s in '%s' is not the table of the campaign beside it: %s",
-                    ResultFolder.TABLE, folder, e.getMessage());
+                    ResultFolder.TABLE, folder, String.valueOf(e.getMessage()));
         }
     }
 
