@@ -17,8 +17,7 @@ import java.util.List;
  *     else is responsible for: nothing is asked about their models, nothing is made of them that
  *     their own project makes
  */
-public record Session(
-        PathNames names, Progress progress, Guests guests, List<String> libraries) {
+public record Session(PathNames names, Progress progress, Guests guests, List<String> libraries) {
     public Session {
         libraries = List.copyOf(libraries);
     }

@@ -3,7 +3,10 @@ package arcomat.pipeline.compile;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
-/** What a field or a parameter of generated code holds for a value; each place says what an object is to it. */
+/**
+ * What a field or a parameter of generated code holds for a value; each place says what an object
+ * is to it.
+ */
 public interface FieldForm extends Value.Cases<Object> {
     /** The type of the field, as the model says it. */
     Type type();

@@ -66,7 +66,7 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
             if (other != null) {
                 throw new WrongUse(
                         "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
-                            + " one of them out",
+                                + " one of them out",
                         language.keyword(), other.guest(), language.guest());
             }
         }

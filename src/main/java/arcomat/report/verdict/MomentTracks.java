@@ -6,7 +6,6 @@ import arcomat.analysis.refinement.TraceReplay;
 import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
-import arcomat.model.Refusal;
 import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
