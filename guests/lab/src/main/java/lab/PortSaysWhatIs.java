@@ -8,7 +8,8 @@ final class PortSaysWhatIs implements Check.OnPort {
     @Override
     public void check(PortSymbol port, Context context, Findings findings) {
         if (port.name().matches("(not|no|un)\\p{Lu}.*")) {
-            findings.report(port.nameSpan(), "port '%s' says what is not; say what is", port.name());
+            findings.report(
+                    port.nameSpan(), "port '%s' says what is not; say what is", port.name());
         }
     }
 }
