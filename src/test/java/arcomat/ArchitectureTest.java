@@ -86,7 +86,7 @@ class ArchitectureTest {
                     Map.entry(
                             "editor",
                             row(
-                                    "pipeline syntax tree symbols check report",
+                                    "pipeline syntax tree symbols check guest report",
                                     "org.eclipse.lsp4j",
                                     "com.google.gson")),
                     // Of the editor's protocol only what agents speak as well: JSON-RPC.

@@ -1,6 +1,7 @@
 package arcomat.editor;
 
 import arcomat.editor.server.EditorServer;
+import arcomat.guest.host.Guests;
 
 import org.eclipse.lsp4j.launch.LSPLauncher;
 
@@ -17,11 +18,12 @@ public final class LanguageService {
      * Answers until the editor goes.
      *
      * @param version of the tool, for the editor's log
+     * @param guests who bring laws and behaviour languages
      * @return the exit status that the protocol asks for: 0 where the editor took its leave
      */
-    public static int serve(InputStream in, OutputStream out, String version)
+    public static int serve(InputStream in, OutputStream out, String version, Guests guests)
             throws InterruptedException {
-        EditorServer server = new EditorServer(version);
+        EditorServer server = new EditorServer(version, guests);
         var launcher = LSPLauncher.createServerLauncher(server, in, out);
         server.connect(launcher.getRemoteProxy());
         Future<Void> listening = launcher.startListening();

@@ -49,11 +49,6 @@ public record Session(PathNames names, Progress progress, Guests guests, List<St
         return new Session(names, progress, guests, modelRoots);
     }
 
-    /** Whether there is somebody besides the tool. */
-    public boolean hasGuests() {
-        return !guests.laws().guests().isEmpty();
-    }
-
     /** Those that models are checked by. */
     public LawBook laws() {
         return guests.laws();

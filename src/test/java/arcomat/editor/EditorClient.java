@@ -1,5 +1,6 @@
 package arcomat.editor;
 
+import arcomat.guest.host.Guests;
 import arcomat.editor.server.EditorServer;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.source.SourceFile;
@@ -85,7 +86,7 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         // A PipedInputStream ends when the thread that wrote last does.
         Pipe toServer = Pipe.open();
         Pipe toClient = Pipe.open();
-        EditorServer served = new EditorServer("0");
+        EditorServer served = new EditorServer("0", Guests.NONE);
         var serving =
                 LSPLauncher.createServerLauncher(
                         served,

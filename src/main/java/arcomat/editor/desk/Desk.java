@@ -8,6 +8,7 @@ import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.FirstLook;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
 import arcomat.symbols.names.Lazy;
@@ -46,8 +47,20 @@ public final class Desk {
     private final Set<Path> early = new LinkedHashSet<>();
 
     private final Map<Path, SourceFile> screen = new HashMap<>();
-    private final Roots roots = new Roots();
+    private final Roots roots;
     private final Lazy<Optional<Path>> library = new Lazy<>(Desk::writtenLibrary);
+
+    /** Without guests. */
+    public Desk() {
+        this(Guests.NONE);
+    }
+
+    /**
+     * @param guests who bring laws and behaviour languages
+     */
+    public Desk(Guests guests) {
+        this.roots = new Roots(guests);
+    }
 
     /** Takes in all models of a folder, when somebody needs them. */
     public void add(Path folder) {

@@ -3,6 +3,7 @@ package arcomat.editor.desk;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.FirstLook;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
@@ -40,6 +41,7 @@ final class Roots {
     /** Files; what is done before somebody types is not done again, and two threads have enough. */
     private static final int AT_ONCE = 250;
 
+    private final Guests guests;
     private final Map<Path, OpenModels> roots = new TreeMap<>();
 
     /** The root of each file. */
@@ -48,6 +50,10 @@ final class Roots {
     /** What becomes of one root. */
     private record Change(
             List<SourceFile> written, List<Diagnostic> unreadable, Set<String> removed) {}
+
+    Roots(Guests guests) {
+        this.guests = guests;
+    }
 
     Collection<OpenModels> all() {
         return roots.values();
@@ -106,7 +112,7 @@ final class Roots {
             return Optional.empty();
         }
         Path home = home(file, packageName);
-        return FirstLook.at(home, new SourceFile(path(home, file), text));
+        return FirstLook.at(home, new SourceFile(path(home, file), text), guests);
     }
 
     /**
@@ -130,7 +136,7 @@ final class Roots {
             change(last, changes).removed().add(path(last, file));
         }
         Change change = change(home, changes);
-        roots.computeIfAbsent(home, root -> OpenModels.in(root, false));
+        roots.computeIfAbsent(home, root -> OpenModels.in(root, false, guests));
         String path = path(home, file);
         read.file().ifPresent(text -> change.written().add(new SourceFile(path, text.text())));
         read.finding().ifPresent(finding -> change.unreadable().add(at(path, finding)));

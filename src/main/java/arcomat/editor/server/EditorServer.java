@@ -5,6 +5,7 @@ import arcomat.editor.answer.Fixes;
 import arcomat.editor.desk.Desk;
 import arcomat.editor.text.Positions;
 import arcomat.editor.verdict.Verdicts;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.OpenModels;
 
 import org.eclipse.lsp4j.CodeActionKind;
@@ -54,12 +55,11 @@ public final class EditorServer implements LanguageServer {
     private static final Duration QUIET = Duration.ofMillis(200);
 
     private final String version;
-    private final Worker worker = new Worker(this::publish);
+    private final Worker worker;
     private final ScheduledThreadPoolExecutor asking =
             new ScheduledThreadPoolExecutor(1, new DeepThreads("verdicts"));
-    private final Verdicts verdicts = new Verdicts(asking, QUIET, this::refreshLenses);
-    private final VerdictRequests verdictRequests =
-            new VerdictRequests(worker, verdicts, this::show);
+    private final Verdicts verdicts;
+    private final VerdictRequests verdictRequests;
     private final CompletableFuture<Integer> exit = new CompletableFuture<>();
     private final Map<String, List<Diagnostic>> published = new HashMap<>();
 
@@ -71,9 +71,13 @@ public final class EditorServer implements LanguageServer {
 
     /**
      * @param version of the tool
+     * @param guests who bring laws and behaviour languages
      */
-    public EditorServer(String version) {
+    public EditorServer(String version, Guests guests) {
         this.version = version;
+        this.worker = new Worker(guests, this::publish);
+        this.verdicts = new Verdicts(asking, QUIET, this::refreshLenses);
+        this.verdictRequests = new VerdictRequests(worker, verdicts, this::show);
     }
 
     /** Says who is asking. */

@@ -1,6 +1,7 @@
 package arcomat.editor.server;
 
 import arcomat.editor.desk.Desk;
+import arcomat.guest.host.Guests;
 
 import org.eclipse.lsp4j.jsonrpc.CancelChecker;
 import org.eclipse.lsp4j.jsonrpc.CompletableFutures;
@@ -28,7 +29,7 @@ final class Worker {
     /** And in the other files, some of them at a time. */
     private static final Duration LONGEST_WAIT_OF_OTHERS = Duration.ofSeconds(5);
 
-    private final Desk desk = new Desk();
+    private final Desk desk;
     private final Consumer<Desk> checked;
     private final ThreadPoolExecutor executor =
             new ThreadPoolExecutor(
@@ -57,9 +58,11 @@ final class Worker {
     }
 
     /**
+     * @param guests who bring laws and behaviour languages
      * @param checked told after each check
      */
-    Worker(Consumer<Desk> checked) {
+    Worker(Guests guests, Consumer<Desk> checked) {
+        this.desk = new Desk(guests);
         this.checked = checked;
     }
 

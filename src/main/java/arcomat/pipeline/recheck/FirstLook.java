@@ -1,6 +1,7 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
+import arcomat.guest.host.Guests;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
@@ -21,11 +22,12 @@ public record FirstLook(OpenModels models, String path) {
      *
      * @param root the folder of the models, absolute
      * @param text of the file, whose path starts there
+     * @param guests who bring laws and behaviour languages
      * @return nothing where the file's package does not say where others are to be looked for
      */
-    public static Optional<FirstLook> at(Path root, SourceFile text) {
+    public static Optional<FirstLook> at(Path root, SourceFile text, Guests guests) {
         String path = text.path();
-        return new Reach(root)
+        return new Reach(root, guests)
                 .of(text)
                 .map(models -> new FirstLook(models.check(path::equals, () -> {}), path));
     }

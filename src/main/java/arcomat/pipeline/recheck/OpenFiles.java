@@ -1,7 +1,6 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
-import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.guest.host.Guests;
@@ -42,6 +41,7 @@ final class OpenFiles {
                     .thenComparing(path -> path.split("/"), Arrays::compare);
 
     private final Path root;
+    private final Guests guests;
     private final SortedMap<String, OpenFile> files;
     private final OpenModels.Edition edition = new OpenModels.Edition();
     private final Lazy<Workspace> workspace = new Lazy<>(this::around);
@@ -55,14 +55,19 @@ final class OpenFiles {
      */
     record OpenFile(File remembered, Optional<SourceFile> source, Parsed parsed) {}
 
-    private OpenFiles(Path root, SortedMap<String, OpenFile> files) {
+    private OpenFiles(Path root, Guests guests, SortedMap<String, OpenFile> files) {
         this.root = root;
+        this.guests = guests;
         this.files = files;
     }
 
     /** None, in a folder. */
-    static OpenFiles in(Path root) {
-        return new OpenFiles(root, new TreeMap<>(ORDER));
+    static OpenFiles in(Path root, Guests guests) {
+        return new OpenFiles(root, guests, new TreeMap<>(ORDER));
+    }
+
+    Guests guests() {
+        return guests;
     }
 
     /** Reads the new texts. */
@@ -72,7 +77,7 @@ final class OpenFiles {
         edit.removed().forEach(after::remove);
         edit.unreadable().forEach(finding -> after.put(path(finding), unreadable(finding)));
         StateOfFiles states = states(after.keySet(), edit);
-        List<Parsed> parsed = ModelLoader.parse(edit.written(), Guests.NONE, Progress.NONE);
+        List<Parsed> parsed = ModelLoader.parse(edit.written(), guests, Progress.NONE);
         for (int i = 0; i < parsed.size(); i++) {
             SourceFile source = edit.written().get(i);
             after.put(source.path(), open(states, source, parsed.get(i), true));
@@ -85,7 +90,7 @@ final class OpenFiles {
                                     .orElse(file));
         }
         addLibrary(after, states);
-        return new OpenFiles(root, after);
+        return new OpenFiles(root, guests, after);
     }
 
     private boolean cameOrWent(String path, Map<String, OpenFile> after) {
@@ -126,7 +131,7 @@ final class OpenFiles {
                 if (file == null || file.remembered().named()) {
                     SourceFile source = Library.file(path);
                     Parsed parsed =
-                            ModelLoader.parse(List.of(source), Guests.NONE, Progress.NONE).get(0);
+                            ModelLoader.parse(List.of(source), guests, Progress.NONE).get(0);
                     file = open(states, source, parsed, false);
                 }
                 after.put(path, file);
@@ -183,7 +188,7 @@ final class OpenFiles {
     /** What names would mean if a file had another text. */
     OpenModels.Draft draft(SourceFile text) {
         Map<String, Parsed> parsed = parsed();
-        Parsed written = ModelLoader.parse(List.of(text), Guests.NONE, Progress.NONE).get(0);
+        Parsed written = ModelLoader.parse(List.of(text), guests, Progress.NONE).get(0);
         parsed.put(text.path(), written);
         return new OpenModels.Draft(written.readable(), workspace(parsed));
     }
@@ -196,14 +201,14 @@ final class OpenFiles {
      */
     Review review(Set<String> wanted, Profile profile, Runnable goOn) {
         return Checks.review(
-                        LawBook.OWN,
+                        guests.laws(),
                         whole.get(),
                         profile,
                         unit -> wanted.contains(unit.file().path()),
                         goOn)
                 .and(
                         Checks.reviewRecovered(
-                                LawBook.OWN,
+                                guests.laws(),
                                 recovered(wanted),
                                 units(),
                                 broken(),

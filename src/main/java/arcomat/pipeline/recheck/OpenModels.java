@@ -1,5 +1,6 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.recheck.CheckState.File;
@@ -88,9 +89,20 @@ public final class OpenModels {
      *
      * @param root the folder of the models, absolute
      * @param executable also asks for what a model needs in order to run
+     * @param guests who bring laws and behaviour languages
      */
+    public static OpenModels in(Path root, boolean executable, Guests guests) {
+        return new OpenModels(executable, OpenFiles.in(root, guests), Checked.NOTHING);
+    }
+
+    /** The same without guests. */
     public static OpenModels in(Path root, boolean executable) {
-        return new OpenModels(executable, OpenFiles.in(root), Checked.NOTHING);
+        return in(root, executable, Guests.NONE);
+    }
+
+    /** Who is asked besides the tool itself. */
+    public Guests guests() {
+        return files.guests();
     }
 
     /** Reads the new texts; findings about meaning stay those of the last check. */

@@ -1,5 +1,6 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
@@ -23,6 +24,7 @@ final class Reach {
     /** Files to be read; somebody waits. */
     private static final int MOST = 30;
 
+    private final Guests guests;
     private final Path root;
     private final PathNames names;
     private final ModelRoot roots;
@@ -30,8 +32,10 @@ final class Reach {
 
     /**
      * @param root the folder of the models, absolute
+     * @param guests who bring laws and behaviour languages
      */
-    Reach(Path root) {
+    Reach(Path root, Guests guests) {
+        this.guests = guests;
         this.root = root;
         this.names = new PathNames(root);
         this.roots = new ModelRoot(names.fence());
@@ -40,7 +44,7 @@ final class Reach {
     /** Nothing where the file's package does not say that its root is this one. */
     Optional<OpenModels> of(SourceFile text) {
         met.add(root.resolve(text.path()));
-        OpenModels models = OpenModels.in(root, false).with(OpenModels.Edit.of(List.of(text)));
+        OpenModels models = OpenModels.in(root, false, guests).with(OpenModels.Edit.of(List.of(text)));
         List<Unit> fresh = readable(models, List.of(text));
         if (!fresh.stream().allMatch(this::belongsHere)) {
             return Optional.empty();

@@ -1,6 +1,7 @@
 package arcomat.symbols.occurrences;
 
 import arcomat.source.Span;
+import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
@@ -142,8 +143,18 @@ final class ComponentPlaces implements Element.Visitor {
             invariant.typed().ifPresent(expressions::in);
         }
         BehaviourPlaces behaviours = new BehaviourPlaces(places, expressions);
-        component.ownAutomata().forEach(behaviours::automaton);
+        NamePlaces translated = new NamePlaces();
+        BehaviourPlaces foreign = new BehaviourPlaces(translated, expressions.to(translated));
+        for (AutomatonSymbol automaton : component.ownAutomata()) {
+            (isForeign(automaton) ? foreign : behaviours).automaton(automaton);
+        }
+        places.addNames(translated);
         component.ownTables().forEach(behaviours::table);
+    }
+
+    private boolean isForeign(AutomatonSymbol automaton) {
+        return component.node().elements(Behaviour.Foreign.class).stream()
+                .anyMatch(each -> each.automata().contains(automaton.node()));
     }
 
     @Override

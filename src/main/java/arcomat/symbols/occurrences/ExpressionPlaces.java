@@ -30,6 +30,11 @@ record ExpressionPlaces(
         Optional<ComponentSymbol> component)
         implements TypedExpression.Cases<ExpressionPlaces> {
 
+    /** The same, taken down elsewhere. */
+    ExpressionPlaces to(NamePlaces others) {
+        return new ExpressionPlaces(others, types, component);
+    }
+
     void in(Typed typed) {
         typed.expression().walk(each -> each.match(this));
     }

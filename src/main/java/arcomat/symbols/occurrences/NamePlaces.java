@@ -13,8 +13,10 @@ import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 
 /** Takes down places, in any order. */
@@ -32,6 +34,15 @@ final class NamePlaces {
 
     void add(Span span, Referent referent, Role role) {
         found.add(new Occurrence(span, referent, role));
+    }
+
+    /** What a guest has made of its text: those places where the text itself has the name. */
+    void addNames(NamePlaces translated) {
+        Set<Span> taken = new HashSet<>();
+        translated.inTextOrder().stream()
+                .filter(each -> each.span().text().equals(each.referent().name()))
+                .filter(each -> taken.add(each.span()))
+                .forEach(found::add);
     }
 
     /** A path whose last name stands for something; those in front stand for what it lies in. */

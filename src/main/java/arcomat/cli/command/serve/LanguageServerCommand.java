@@ -4,7 +4,6 @@ import arcomat.cli.command.Command;
 import arcomat.cli.terminal.Version;
 import arcomat.editor.LanguageService;
 import arcomat.pipeline.Session;
-import arcomat.pipeline.WrongUse;
 
 import picocli.CommandLine;
 
@@ -22,12 +21,10 @@ import picocli.CommandLine;
         })
 public final class LanguageServerCommand extends Command {
     @Override
-    protected int run(Session session) throws WrongUse {
-        if (session.hasGuests()) {
-            throw new WrongUse("the language server takes no guests yet; leave --with out");
-        }
+    protected int run(Session session) {
         try {
-            return LanguageService.serve(System.in, System.out, Version.number());
+            return LanguageService.serve(
+                    System.in, System.out, Version.number(), session.guests());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return 1;
