@@ -1,7 +1,7 @@
 package arcomat.editor;
 
-import arcomat.guest.host.Guests;
 import arcomat.editor.server.EditorServer;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.source.SourceFile;
 

@@ -1,6 +1,7 @@
 package arcomat.editor.desk;
 
 import arcomat.editor.text.Positions;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.beside.BesideText;
 import arcomat.pipeline.check.Library;
@@ -8,7 +9,6 @@ import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.FirstLook;
-import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
 import arcomat.symbols.names.Lazy;

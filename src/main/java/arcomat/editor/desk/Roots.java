@@ -1,9 +1,9 @@
 package arcomat.editor.desk;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
-import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.FirstLook;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;

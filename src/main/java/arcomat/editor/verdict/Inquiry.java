@@ -64,7 +64,9 @@ record Inquiry(OpenModels models, String path, Interruption interruption) {
     private CheckedAnswer<List<TextVerdict>> answer(LoadedModels around) throws WrongUse {
         AnalysisLimits limits = new AnalysisLimits(Optional.of(SECONDS), Optional.empty());
         return new AskVerdicts(path, limits, interruption)
-                .askAbout(around, new Session(
+                .askAbout(
+                        around,
+                        new Session(
                                 new PathNames(models.root()),
                                 interruption,
                                 models.guests(),

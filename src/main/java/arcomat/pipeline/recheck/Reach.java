@@ -44,7 +44,8 @@ final class Reach {
     /** Nothing where the file's package does not say that its root is this one. */
     Optional<OpenModels> of(SourceFile text) {
         met.add(root.resolve(text.path()));
-        OpenModels models = OpenModels.in(root, false, guests).with(OpenModels.Edit.of(List.of(text)));
+        OpenModels models =
+                OpenModels.in(root, false, guests).with(OpenModels.Edit.of(List.of(text)));
         List<Unit> fresh = readable(models, List.of(text));
         if (!fresh.stream().allMatch(this::belongsHere)) {
             return Optional.empty();

@@ -2,6 +2,7 @@ package arcomat.pipeline.recheck;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.guest.host.Guests;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
@@ -33,7 +34,7 @@ class FirstLookTest {
                 SourceFile edited = edited(all.source(path).orElseThrow(), random);
                 OpenModels after = all.with(OpenModels.Edit.of(List.of(edited))).check(() -> {});
                 List<String> first =
-                        FirstLook.at(ROOT, edited).map(FirstLook::findings).stream()
+                        FirstLook.at(ROOT, edited, Guests.NONE).map(FirstLook::findings).stream()
                                 .flatMap(List::stream)
                                 .map(FirstLookTest::text)
                                 .toList();

@@ -99,7 +99,8 @@ class GuestsAtTheDeskTest {
         assertThat(open(SHOWN, Guests.NONE).findings("p/Fast.arc"))
                 .extracting(Diagnostic::code)
                 .containsExactly("ARC0133");
-        Diagnostic typo = open(SHOWN.replace("speed >", "sped >"), guests).findings("p/Fast.arc").get(0);
+        Diagnostic typo =
+                open(SHOWN.replace("speed >", "sped >"), guests).findings("p/Fast.arc").get(0);
         assertThat(typo.span().text()).isEqualTo("sped");
         assertThat(typo.fix()).as("nobody but the guest may write there").isEmpty();
     }

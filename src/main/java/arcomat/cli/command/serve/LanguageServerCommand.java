@@ -23,8 +23,7 @@ public final class LanguageServerCommand extends Command {
     @Override
     protected int run(Session session) {
         try {
-            return LanguageService.serve(
-                    System.in, System.out, Version.number(), session.guests());
+            return LanguageService.serve(System.in, System.out, Version.number(), session.guests());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return 1;
