@@ -78,6 +78,14 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                 .formatted(code, guest.guest());
     }
 
+    /**
+     * Whether a finding about one file may depend on any other one: of the tool's own laws it is
+     * known how far they look, and who does not ask them again relies on that.
+     */
+    public boolean looksAnywhere() {
+        return guests.stream().anyMatch(guest -> !guest.laws().isEmpty());
+    }
+
     /** Tells these laws from those of a run with other guests; empty without any. */
     public String identity() {
         return guests.stream().map(GuestLaws::identity).collect(Collectors.joining(" "));

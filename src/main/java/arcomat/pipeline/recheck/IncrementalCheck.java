@@ -30,7 +30,8 @@ import java.util.function.BiFunction;
 
 /**
  * Checks what changed since the last check and what that touches; of all other files the findings
- * are known. Where files beyond those that the user named come or go, everything is checked.
+ * are known. Where files beyond those that the user named come or go, everything is checked, and so
+ * it is where guests bring laws, of which nobody knows how far they look.
  *
  * @param tool whatever tells this tool from others that may find something else
  */
@@ -68,7 +69,8 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
                 NamedFiles.read(
                         paths, session.libraries(), names(), session.progress(), memory::read);
         String key = key(searched, named);
-        Optional<CheckState> before = last.apply(key, named);
+        Optional<CheckState> before =
+                session.laws().looksAnywhere() ? Optional.empty() : last.apply(key, named);
         FilesAround around = new FilesAround(names(), searched, named.all());
         return before.flatMap(state -> update(state, named, around, memory))
                 .orElseGet(() -> full(key, searched));

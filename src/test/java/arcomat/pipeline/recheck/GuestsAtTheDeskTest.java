@@ -42,7 +42,9 @@ class GuestsAtTheDeskTest {
             """
             package shown;
 
+            import arcomat.check.law.*;
             import arcomat.guest.*;
+            import arcomat.symbols.Workspace;
             import java.util.List;
 
             public final class Shown implements Guest, BehaviourLanguage {
@@ -50,6 +52,17 @@ class GuestsAtTheDeskTest {
                 public String name() { return "shown"; }
                 public List<BehaviourLanguage> languages() { return List.of(this); }
                 public String keyword() { return "shown"; }
+                public List<Law> laws() { return List.of(Law.warning("SH0001", new Alone())); }
+
+                /** Looks at all files: nothing leads from one to the other. */
+                static final class Alone implements Check.OnWorkspace {
+                    public void check(Workspace workspace, Findings findings) {
+                        if (workspace.components().size() > 1) {
+                            workspace.components().forEach(
+                                    each -> findings.report(each.nameSpan(), "not alone"));
+                        }
+                    }
+                }
 
                 public void translate(Written behaviour, Meaning meaning) {
                     String text = behaviour.body().text();
@@ -115,5 +128,30 @@ class GuestsAtTheDeskTest {
                 .allMatch(each -> each.span().text().equals(each.referent().name()))
                 .extracting(each -> each.span().text())
                 .containsExactly("lit", "speed");
+    }
+
+    /** What cannot be touched by an edit is known of the tool's own laws only. */
+    @Test
+    void lawsMayLookAtFilesThatNothingLeadsTo() {
+        OpenModels alone = open(SHOWN, guests);
+        SourceFile other = new SourceFile("q/Other.arc", "package q;\n\ncomponent Other {}\n");
+        OpenModels both = alone.with(OpenModels.Edit.of(List.of(other))).check(() -> {});
+        assertThat(both.findings("p/Fast.arc"))
+                .extracting(Diagnostic::code)
+                .containsExactly("SH0001");
+        assertThat(both.findings("q/Other.arc"))
+                .extracting(Diagnostic::code)
+                .containsExactly("SH0001");
+    }
+
+    @Test
+    void aStateOfTheLastCheckIsNotReliedOn() throws Exception {
+        Path models = Files.createDirectories(folder.resolve("m/p"));
+        Files.writeString(models.resolve("Fast.arc"), SHOWN);
+        Session session = new Session(new PathNames(folder), Progress.NONE).with(guests);
+        CheckAgain again = new CheckAgain(List.of("m"), false, "state", "tool");
+        assertThat(session.run(again).result().findings()).isEmpty();
+        Files.writeString(models.resolve("Other.arc"), "package p;\n\ncomponent Other {}\n");
+        assertThat(session.run(again).result().findings()).hasSize(2);
     }
 }
