@@ -79,11 +79,12 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
     }
 
     /**
-     * Whether a finding about one file may depend on any other one: of the tool's own laws it is
-     * known how far they look, and who does not ask them again relies on that.
+     * Whether a finding about one file may depend on any other one. Of the tool's own laws it is
+     * known how far they look, and of its own languages that they name what they need: who does not
+     * ask again relies on that. A guest may look anywhere, and may name what no text names.
      */
     public boolean looksAnywhere() {
-        return guests.stream().anyMatch(guest -> !guest.laws().isEmpty());
+        return !guests.isEmpty();
     }
 
     /** Tells these laws from those of a run with other guests; empty without any. */

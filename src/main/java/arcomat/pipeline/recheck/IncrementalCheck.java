@@ -31,7 +31,7 @@ import java.util.function.BiFunction;
 /**
  * Checks what changed since the last check and what that touches; of all other files the findings
  * are known. Where files beyond those that the user named come or go, everything is checked, and so
- * it is where guests bring laws, of which nobody knows how far they look.
+ * it is where there are guests, of whom nobody knows how far they look.
  *
  * @param tool whatever tells this tool from others that may find something else
  */
