@@ -98,9 +98,9 @@ class RestingRunsTest {
     @Tag("slow")
     @ParameterizedTest
     @CsvSource({
-        "coffee/world/meeting.world, 1000",
-        "coffee/world/service.world, 20",
-        "sprint/sprint.world, 400"
+        "coffee/world/meeting.world, 250",
+        "coffee/world/service.world, 6",
+        "sprint/sprint.world, 100"
     })
     void worldsRunAsTheyDoOnThreadsWhateverTheSeed(String file, int seeds) throws WrongUse {
         checkWorld(file, seeds, Limits.OF_THE_BRICK);
