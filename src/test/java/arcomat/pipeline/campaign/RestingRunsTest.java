@@ -99,7 +99,7 @@ class RestingRunsTest {
     @ParameterizedTest
     @CsvSource({
         "coffee/world/meeting.world, 250",
-        "coffee/world/service.world, 6",
+        "coffee/world/service.world, 2",
         "sprint/sprint.world, 100"
     })
     void worldsRunAsTheyDoOnThreadsWhateverTheSeed(String file, int seeds) throws WrongUse {
