@@ -14,7 +14,7 @@ final class DraftStaysHere implements Check.OnComponent {
             findings.report(
                     component.nameSpan(),
                     "'%s' is a draft and is to go on a brick; finish it, and take the word out of"
-                        + " its name",
+                            + " its name",
                     component.name());
         }
     }
