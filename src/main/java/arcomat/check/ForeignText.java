@@ -8,7 +8,6 @@ import arcomat.tree.Behaviour;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** The behaviours in languages of guests: what mends Arcomat's own text may spoil theirs. */
 record ForeignText(List<Span> bodies) {
@@ -26,21 +25,7 @@ record ForeignText(List<Span> bodies) {
     Diagnostic withoutRepair(Diagnostic finding) {
         boolean isInside =
                 finding.fix().isPresent()
-                        && bodies.stream().anyMatch(body -> isIn(finding.span(), body));
-        return isInside
-                ? new Diagnostic(
-                        finding.code(),
-                        finding.severity(),
-                        finding.span(),
-                        finding.message(),
-                        finding.related(),
-                        Optional.empty())
-                : finding;
-    }
-
-    private static boolean isIn(Span place, Span body) {
-        return place.file().path().equals(body.file().path())
-                && body.start() <= place.start()
-                && place.end() <= body.end();
+                        && bodies.stream().anyMatch(body -> body.isAround(finding.span()));
+        return isInside ? finding.withoutFix() : finding;
     }
 }

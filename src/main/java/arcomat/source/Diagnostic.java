@@ -70,6 +70,18 @@ public record Diagnostic(
         return new Diagnostic(code, severity, span, message, related, Optional.of(edits));
     }
 
+    public Diagnostic withoutFix() {
+        return new Diagnostic(code, severity, span, message, related, Optional.empty());
+    }
+
+    public Diagnostic withoutRelated() {
+        return new Diagnostic(code, severity, span, message, List.of(), fix);
+    }
+
+    public Diagnostic withMessage(String other) {
+        return new Diagnostic(code, severity, span, other, related, fix);
+    }
+
     public Diagnostic withSeverity(Severity other) {
         return new Diagnostic(code, other, span, message, related, fix);
     }

@@ -19,6 +19,11 @@ public record Span(SourceFile file, int start, int end) {
         return new Span(file, start, last.end);
     }
 
+    /** Whether another one lies in it, in the file of the same path. */
+    public boolean isAround(Span inner) {
+        return file.path().equals(inner.file.path()) && start <= inner.start && inner.end <= end;
+    }
+
     /** The part on its first line: what to point at where the whole would be too much. */
     public Span firstLine() {
         int line = startPosition().line();

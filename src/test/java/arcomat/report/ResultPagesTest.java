@@ -63,6 +63,16 @@ class ResultPagesTest {
                 .orElseThrow();
     }
 
+    private Story firstVerdict() throws WrongUse {
+        AnalysisLimits limits = new AnalysisLimits(Optional.empty(), Optional.empty());
+        List<Answered> answers =
+                Session.in(folder, Progress.NONE)
+                        .run(new VerifyPromises(List.of("."), limits))
+                        .value()
+                        .orElseThrow();
+        return VerdictPage.of("verify", "all", answers).stories().get(0);
+    }
+
     private static Track track(Story story, String name) {
         return story.timeline().tracks().stream()
                 .filter(track -> track.name().equals(name))
@@ -240,13 +250,7 @@ class ResultPagesTest {
                 "Late.arc",
                 DOOR.replace("component Door", "component Late refines Door")
                         .replace("left = 2", "left = 3"));
-        AnalysisLimits limits = new AnalysisLimits(Optional.empty(), Optional.empty());
-        List<Answered> answers =
-                Session.in(folder, Progress.NONE)
-                        .run(new VerifyPromises(List.of("."), limits))
-                        .value()
-                        .orElseThrow();
-        Story story = VerdictPage.of("verify", "all", answers).stories().get(0);
+        Story story = firstVerdict();
         assertThat(texts(track(story, "right is")).get(4)).isEqualTo("not possible");
         assertThat(elements(track(story, "left: Late goes")))
                 .containsExactly(
@@ -281,13 +285,7 @@ class ResultPagesTest {
                 "Eager.arc",
                 guarded.replace("component Guarded", "component Eager refines Guarded")
                         .replace("b -> a {x == false}", "b -> a {x == true}"));
-        AnalysisLimits limits = new AnalysisLimits(Optional.empty(), Optional.empty());
-        List<Answered> answers =
-                Session.in(folder, Progress.NONE)
-                        .run(new VerifyPromises(List.of("."), limits))
-                        .value()
-                        .orElseThrow();
-        Story story = VerdictPage.of("verify", "all", answers).stories().get(0);
+        Story story = firstVerdict();
         assertThat(texts(track(story, "left: Eager why not")))
                 .containsExactly(
                         "-", "-", "left: b -> a (line 7) did not fire: x == true: x is false");

@@ -1,6 +1,5 @@
 package arcomat.check.facts;
 
-import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
@@ -23,13 +22,7 @@ public final class Connections {
 
     public static boolean isOwn(ConnectorSymbol connector, ComponentSymbol component) {
         return connector.origin() != ConnectorSymbol.Origin.AUTOMATIC
-                && contains(component.node().span(), connector.span());
-    }
-
-    private static boolean contains(Span outer, Span inner) {
-        return outer.file().equals(inner.file())
-                && outer.start() <= inner.start()
-                && inner.end() <= outer.end();
+                && component.node().span().isAround(connector.span());
     }
 
     /** The keys of all ports at which a connector ends. */

@@ -88,13 +88,7 @@ public record GuestReview(GuestLaws guest, Duration limit) {
 
     /** Whoever reads a finding has to know whom to ask about it. */
     private Diagnostic named(Diagnostic finding) {
-        return new Diagnostic(
-                finding.code(),
-                finding.severity(),
-                finding.span(),
-                finding.message() + " (guest '" + guest.guest() + "')",
-                finding.related(),
-                finding.fix());
+        return finding.withMessage(finding.message() + " (guest '" + guest.guest() + "')");
     }
 
     private Diagnostic failed(Law law, Span place, Throwable thrown) {

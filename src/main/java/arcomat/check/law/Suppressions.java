@@ -30,9 +30,7 @@ public final class Suppressions {
     public record Suppression(Span element, Span place, String code, String reason) {
 
         private boolean covers(Diagnostic finding) {
-            return code.equals(finding.code())
-                    && element.start() <= finding.span().start()
-                    && finding.span().end() <= element.end();
+            return code.equals(finding.code()) && element.isAround(finding.span());
         }
     }
 

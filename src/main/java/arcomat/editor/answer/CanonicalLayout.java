@@ -26,11 +26,7 @@ public final class CanonicalLayout {
     public static List<TextEdit> in(SourceFile file, Range range) {
         Span wanted = Positions.span(file, range);
         return of(file).stream()
-                .filter(
-                        edit -> {
-                            Span place = Positions.span(file, edit.getRange());
-                            return wanted.start() <= place.start() && place.end() <= wanted.end();
-                        })
+                .filter(edit -> wanted.isAround(Positions.span(file, edit.getRange())))
                 .toList();
     }
 }

@@ -1,7 +1,6 @@
 package arcomat.editor.verdict;
 
 import arcomat.pipeline.Interruption;
-import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
@@ -63,13 +62,7 @@ record Inquiry(OpenModels models, String path, Interruption interruption) {
 
     private CheckedAnswer<List<TextVerdict>> answer(LoadedModels around) throws WrongUse {
         AnalysisLimits limits = new AnalysisLimits(Optional.of(SECONDS), Optional.empty());
-        return new AskVerdicts(path, limits, interruption)
-                .askAbout(
-                        around,
-                        new Session(
-                                new PathNames(models.root()),
-                                interruption,
-                                models.guests(),
-                                List.of()));
+        Session session = Session.in(models.root(), interruption).with(models.guests());
+        return new AskVerdicts(path, limits, interruption).askAbout(around, session);
     }
 }

@@ -1,7 +1,6 @@
 package arcomat.pipeline.check;
 
 import arcomat.source.Diagnostic;
-import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 
@@ -35,12 +34,6 @@ record MadeOf(Set<ComponentSymbol> components) {
 
     /** Whether a finding is about one of them. */
     boolean contains(Diagnostic finding) {
-        return components.stream().anyMatch(c -> covers(c.node().span(), finding.span()));
-    }
-
-    private static boolean covers(Span component, Span finding) {
-        return component.file().path().equals(finding.file().path())
-                && component.start() <= finding.start()
-                && finding.end() <= component.end();
+        return components.stream().anyMatch(c -> c.node().span().isAround(finding.span()));
     }
 }

@@ -4,63 +4,54 @@ import arcomat.guest.Meaning.Piece;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 
 /**
  * What a guest has written, as one text, and where each part of it comes from.
  *
- * @param starts of the pieces in the text
+ * @param pieces by the offset in the text at which they begin
  */
-record TranslatedText(SourceFile file, List<Piece> pieces, List<Integer> starts) {
+record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
     /**
-     * @param pieces at least one
+     * @param written at least one piece
      */
-    static TranslatedText of(String path, List<Piece> pieces) {
+    static TranslatedText of(String path, List<Piece> written) {
         StringBuilder text = new StringBuilder();
-        List<Integer> starts = new ArrayList<>();
-        for (Piece piece : pieces) {
-            starts.add(text.length());
+        NavigableMap<Integer, Piece> pieces = new TreeMap<>();
+        for (Piece piece : written) {
+            if (pieces.isEmpty() || !piece.text().isEmpty()) {
+                pieces.put(text.length(), piece);
+            }
             text.append(piece.text());
         }
-        return new TranslatedText(new SourceFile(path, text.toString()), pieces, starts);
+        return new TranslatedText(new SourceFile(path, text.toString()), pieces);
     }
 
     /** What a part of the text stands for: exactly, where it was taken over letter by letter. */
     Span origin(Span part) {
-        int first = piece(part.start());
-        int last = piece(Math.max(part.start(), part.end() - 1));
-        Span from = pieces.get(first).place();
-        if (first == last) {
-            int offset = part.start() - starts.get(first);
-            return isTakenOver(pieces.get(first))
-                    ? new Span(
-                            from.file(),
-                            from.start() + offset,
-                            from.start() + offset + part.end() - part.start())
-                    : from;
+        Map.Entry<Integer, Piece> first = pieces.floorEntry(part.start());
+        int last = pieces.floorKey(Math.max(part.start(), part.end() - 1));
+        if (first.getKey() == last) {
+            return origin(first.getValue(), part.start() - first.getKey(), part);
         }
         int start = Integer.MAX_VALUE;
         int end = 0;
-        for (Piece piece : pieces.subList(first, last + 1)) {
+        for (Piece piece : pieces.subMap(first.getKey(), true, last, true).values()) {
             start = Math.min(start, piece.place().start());
             end = Math.max(end, piece.place().end());
         }
-        return new Span(from.file(), start, end);
+        return new Span(first.getValue().place().file(), start, end);
     }
 
-    private static boolean isTakenOver(Piece piece) {
-        return piece.place().text().equals(piece.text());
-    }
-
-    /** The last piece that begins at an offset or before it, and is not empty. */
-    private int piece(int offset) {
-        int found = 0;
-        for (int i = 0; i < starts.size(); i++) {
-            if (starts.get(i) <= offset && !pieces.get(i).text().isEmpty()) {
-                found = i;
-            }
+    private static Span origin(Piece piece, int offset, Span part) {
+        Span place = piece.place();
+        if (!place.text().equals(piece.text())) {
+            return place;
         }
-        return found;
+        int start = place.start() + offset;
+        return new Span(place.file(), start, start + part.end() - part.start());
     }
 }

@@ -41,7 +41,7 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
             case REQUIREMENT -> isAboutAutomaton(answered, place.subject());
             case INVARIANT ->
                     answered.question() == Question.INVARIANT
-                            && isInside(answered.place(), place.subject());
+                            && place.subject().isAround(answered.place());
             case INHERITED -> isInherited(answered, place.subject());
             case AUTOMATON, PROGRAM, TEST -> false;
         };
@@ -82,13 +82,7 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
         return answered.question() == Question.REFINEMENT
                 && !answered.sides().isEmpty()
                 && answered.sides().get(0).component().span().equals(component)
-                && !isInside(answered.place(), component);
-    }
-
-    private static boolean isInside(Span inner, Span outer) {
-        return inner.file().equals(outer.file())
-                && outer.start() <= inner.start()
-                && inner.end() <= outer.end();
+                && !component.isAround(answered.place());
     }
 
     private static Answered worse(Answered first, Answered second) {

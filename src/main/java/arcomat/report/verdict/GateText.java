@@ -84,7 +84,9 @@ public final class GateText {
         StringBuilder story = new StringBuilder();
         findings.stream()
                 .filter(finding -> isAbout(finding, entry))
-                .forEach(finding -> story.append(FindingsText.render(plain(finding), style)));
+                .forEach(
+                        finding ->
+                                story.append(FindingsText.render(finding.withoutRelated(), style)));
         if (entry.cause().isEmpty() && !entry.change().witnesses().isEmpty()) {
             Change.Witness first = entry.change().witnesses().get(0);
             section(VerdictText.render(first.left(), first.right(), first.verdict(), style), story);
@@ -96,16 +98,6 @@ public final class GateText {
         if (!text.isEmpty()) {
             out.append(out.isEmpty() ? "" : "\n").append(text);
         }
-    }
-
-    private static Diagnostic plain(Diagnostic finding) {
-        return new Diagnostic(
-                finding.code(),
-                finding.severity(),
-                finding.span(),
-                finding.message(),
-                List.of(),
-                finding.fix());
     }
 
     /** Findings about entries stand at their names. */

@@ -73,6 +73,26 @@ final class ConsumerProject {
         return project;
     }
 
+    /**
+     * Its models in two projects: {@code robot} has the rover, {@code parts} what that is made of.
+     *
+     * @param parts appended to the build script of the one
+     * @param robot and of the other
+     */
+    static ConsumerProject shopOfTwo(Path folder, String parts, String robot) {
+        ConsumerProject shop = shop(folder);
+        String script = shop.read("build.gradle");
+        shop.append("settings.gradle", "include 'parts', 'robot'\n");
+        shop.write("build.gradle", "");
+        shop.write("parts/build.gradle", script.replace("main = 'shop.Rover'", "") + parts);
+        shop.write("robot/build.gradle", script + robot);
+        copy(shop.path("src/main/arc"), shop.path("parts/src/main/arc"));
+        String rover = "src/main/arc/shop/Rover.arc";
+        shop.write("robot/" + rover, shop.read(rover));
+        shop.delete("parts/" + rover);
+        return shop;
+    }
+
     /** A project whose files are yet to be written. */
     static ConsumerProject empty(Path folder) {
         return new ConsumerProject(folder);

@@ -28,16 +28,9 @@ class LibrariesTest {
 
     @BeforeEach
     void setUp() {
-        shop = ConsumerProject.shop(folder);
-        String script = shop.read("build.gradle");
-        shop.append("settings.gradle", "include 'parts', 'robot'\n");
-        shop.write("build.gradle", "");
-        shop.write("parts/build.gradle", script.replace("main = 'shop.Rover'", "") + PUBLISHING);
-        shop.write(
-                "robot/build.gradle", script + "dependencies { arcomatModels project(':parts') }");
-        ConsumerProject.copy(shop.path("src/main/arc"), shop.path("parts/src/main/arc"));
-        shop.write("robot/" + ROVER, shop.read(ROVER));
-        shop.delete("parts/" + ROVER);
+        shop =
+                ConsumerProject.shopOfTwo(
+                        folder, PUBLISHING, "dependencies { arcomatModels project(':parts') }");
         shop.write("parts/src/test/arc/shop/BumperTest.mt", shop.read(TEST));
         shop.write("robot/src/main/java/shop/Lap.java", shop.read("src/main/java/shop/Lap.java"));
     }

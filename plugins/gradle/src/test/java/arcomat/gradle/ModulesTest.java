@@ -20,21 +20,14 @@ class ModulesTest {
 
     @BeforeEach
     void setUp() {
-        shop = ConsumerProject.shop(folder);
-        String script = shop.read("build.gradle");
-        shop.append("settings.gradle", "include 'parts', 'robot'\n");
-        shop.write("build.gradle", "");
-        shop.write("parts/build.gradle", script.replace("main = 'shop.Rover'", ""));
-        shop.write(
-                "robot/build.gradle",
-                script
-                        + """
+        shop =
+                ConsumerProject.shopOfTwo(
+                        folder,
+                        "",
+                        """
                         sourceSets.main.arc.srcDir project(':parts').file('src/main/arc')
                         println "Java is ${tasks.compileJava.options.encoding}"
                         """);
-        ConsumerProject.copy(shop.path("src/main/arc"), shop.path("parts/src/main/arc"));
-        shop.write("robot/" + ROVER, shop.read(ROVER));
-        shop.delete("parts/" + ROVER);
     }
 
     @Test

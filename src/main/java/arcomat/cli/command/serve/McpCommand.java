@@ -71,7 +71,7 @@ public final class McpCommand extends Command {
         PathNames fenced = new PathNames(session.names().directory(), fence(session.names()));
         AgentTerms terms =
                 new AgentTerms(
-                        new Session(fenced, session.progress(), session.guests(), List.of()),
+                        new Session(fenced, session.progress()).with(session.guests()),
                         roots,
                         timeout,
                         longest);

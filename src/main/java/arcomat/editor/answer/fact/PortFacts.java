@@ -60,10 +60,7 @@ record PortFacts(OpenModels models, PortSymbol port, Span place) {
     private boolean isIn(Span whole) {
         boolean isOfAPart =
                 place.start() > 0 && place.file().text().charAt(place.start() - 1) == '.';
-        return !isOfAPart
-                && whole.file() == place.file()
-                && whole.start() <= place.start()
-                && place.end() <= whole.end();
+        return !isOfAPart && whole.isAround(place);
     }
 
     private Optional<String> delay(ComponentSymbol owner) {
