@@ -4,9 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.sim.device.Limits;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
 
 import org.junit.jupiter.api.Test;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 
 /** Bricks in one laboratory share time and air, and nothing else. */
 class SeveralBricksTest {
@@ -40,6 +44,15 @@ class SeveralBricksTest {
             assertThat(echo.screen().get(0)).isEqualTo("over");
             assertThat(laboratory.time()).isBetween(700L, 900L);
         }
+    }
+
+    /** What one laboratory's threads have just worked with is near to no other laboratory. */
+    @Test
+    void laboratoriesInTwoThreadsShareNoCarriers() {
+        LoadedProgram program = LoadedProgram.forMany(ECHO);
+        Executor here = program.carriers();
+        assertThat(program.carriers()).isSameAs(here);
+        assertThat(CompletableFuture.supplyAsync(program::carriers).join()).isNotSameAs(here);
     }
 
     @Test

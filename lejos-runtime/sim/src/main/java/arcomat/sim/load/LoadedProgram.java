@@ -20,7 +20,13 @@ public final class LoadedProgram {
     private final List<Probe> probes;
     private final List<NotedLines> lines;
     private final boolean rests;
-    private final Carriers carriers = new Carriers();
+
+    /**
+     * To each thread that runs laboratories its own: with carriers in common, those of one run
+     * would be woken on the processor that is busy with another one.
+     */
+    private final ThreadLocal<Carriers> carriers = ThreadLocal.withInitial(Carriers::new);
+
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
@@ -66,9 +72,9 @@ public final class LoadedProgram {
         return new LoadedProgram(program, once, probes, lines, false);
     }
 
-    /** Threads of the PC for those of its bricks. */
+    /** Threads of the PC for those of its bricks that the calling thread runs. */
     public Executor carriers() {
-        return carriers;
+        return carriers.get();
     }
 
     public Program program() {
