@@ -53,6 +53,7 @@ class ReadmeTest {
     @MethodSource("replayed")
     void showsWhatTheToolSays(Path page) throws IOException {
         copy(Path.of("models"), directory.resolve("models"));
+        copy(Path.of("guests"), directory.resolve("guests"));
         Map<Fence, Session> news =
                 new Replay(directory, BuildTasks.read(), hasMona()).run(Fence.of(page));
         if (UPDATE) {
