@@ -189,7 +189,7 @@ public final class AutomatonSymbol {
         if (component.isEmpty()) {
             return List.of();
         }
-        Set<String> written = WrittenNames.in(node);
+        Set<String> written = AssignedNames.in(node);
         ports().forEach(port -> written.remove(port.name()));
         variables().forEach(variable -> written.remove(variable.name()));
         return component.get().signature().variables().stream()

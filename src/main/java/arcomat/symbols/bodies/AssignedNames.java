@@ -10,14 +10,14 @@ import java.util.Optional;
 import java.util.Set;
 
 /** The names to which an automaton gives values, whatever they stand for. */
-final class WrittenNames {
+final class AssignedNames {
     private final Set<String> names = new HashSet<>();
 
-    private WrittenNames() {}
+    private AssignedNames() {}
 
     /** Of all output blocks; where a name is left out nothing is written that has to be named. */
     static Set<String> in(Automaton automaton) {
-        WrittenNames written = new WrittenNames();
+        AssignedNames written = new AssignedNames();
         for (var initial : automaton.elements(AutomatonElement.Initial.class)) {
             written.add(initial.output());
         }
