@@ -74,6 +74,7 @@ final class AutomatonLowering {
                 matches,
                 sends(transition.output()),
                 assignments(transition.output()),
+                transition.node().rank(),
                 transition.node().span());
     }
 

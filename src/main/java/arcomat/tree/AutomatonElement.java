@@ -25,15 +25,26 @@ public sealed interface AutomatonElement extends Node {
     record Initial(Span span, List<Name> states, Optional<Block> output)
             implements AutomatonElement {}
 
-    /** Without a target the transition is a loop. */
+    /**
+     * Without a target the transition is a loop.
+     *
+     * @param rank it is taken only where none with a smaller one is enabled; texts have no word for
+     *     it, and guests may have
+     */
     record Transition(
             Span span,
             Name source,
             Optional<Name> target,
             Optional<Guard> guard,
             Optional<Block> input,
-            Optional<Block> output)
-            implements AutomatonElement {}
+            Optional<Block> output,
+            int rank)
+            implements AutomatonElement {
+        /** The same with another rank. */
+        public Transition withRank(int other) {
+            return new Transition(span, source, target, guard, input, output, other);
+        }
+    }
 
     /**
      * {@code [kind: condition]}.

@@ -93,7 +93,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 phrases.optionalName(context.target),
                 optional(context.guard(), this::guard),
                 optional(context.input, blocks::block),
-                optional(context.output, blocks::block));
+                optional(context.output, blocks::block),
+                0);
     }
 
     private AutomatonElement.Guard guard(ArcomatParser.GuardContext context) {
