@@ -37,3 +37,60 @@ component Good {
   connect speed -> motor.power;
   connect motor.turns -> echo;
 }
+
+//// BadParts.arc
+component BadParts {
+  port in Integer speed, in Boolean go, in String name;
+  port out Integer echo;
+
+  component Motor motor {
+    port in Integer power, in Integer limit, out Integer turns, out Integer heat;
+  }
+
+  component Gauge gauge {
+    port in Integer heat, in Integer turns, out Boolean high;
+  }
+
+  component Both both {
+    port out Integer x, out Boolean y;
+  }
+
+  component Takes takes {
+    port in Integer x, in Boolean y;
+  }
+
+  component Nothing nothing;
+
+  connect speed -> motor;
+  connect name -> motor;
+  connect motor -> echo;
+  connect motor -> gauge;
+  connect gauge -> both;
+  connect both -> takes.x, takes.y;
+  connect spead -> motor;
+  connect speed -> nothing, motor.power;
+}
+
+//// GoodParts.arc
+component GoodParts {
+  port in Integer speed, in Boolean go;
+  port out Integer turns, out Boolean high;
+
+  component Motor motor {
+    port in Integer speed, in Integer limit, in Boolean start, out Integer turns, out Integer heat;
+  }
+
+  component Gauge gauge {
+    port in Integer heat, out Boolean tooHigh;
+  }
+
+  component Copy copy [second -> motor.limit] {
+    port in Integer first, out Integer second;
+  }
+
+  connect speed -> motor, copy;
+  connect go -> motor;
+  connect motor -> turns;
+  connect motor -> gauge;
+  connect gauge -> high;
+}

@@ -5,7 +5,7 @@ classdiagram BadOld {
   public enum Size { small, big; }
 //~~~~~~ warning ARC0609: enum 'Size' says more than a type of messages can mean: 'public'; delete it, or suppress this finding if another tool needs it
   enum Colour { red(1), green(2); int code; int code(); }
-//                 ~~~ warning ARC0609: enum 'Colour' says more than a type of messages can mean: values of 'red', values of 'green', attribute 'code', method 'code'; delete it, or suppress this finding if another tool needs it
+//                 ~~~ warning ARC0609: enum 'Colour' says more than a type of messages can mean: the values of 'red', the values of 'green', attribute 'code', method 'code'; delete it, or suppress this finding if another tool needs it
   abstract class Cup extends Vessel implements Drinkable { private int volume = 3; void fill(int volume) { } }
 //~~~~~~~~ warning ARC0609: class 'Cup' says more than a type of messages can mean: 'abstract', interface 'Drinkable', 'private', the value of 'volume', and 1 more; delete it, or suppress this finding if another tool needs it
   class Vessel { - int weight; # int a; + int b; / int c; static int d; }

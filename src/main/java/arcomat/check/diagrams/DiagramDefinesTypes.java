@@ -1,7 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.source.Fix;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
 
@@ -34,10 +33,6 @@ public final class DiagramDefinesTypes implements Check.OnClassDiagram {
                 kind(type),
                 type.name(),
                 list(named));
-        findings.fix(
-                new Fix(
-                        "Delete what means nothing here",
-                        ornaments.stream().flatMap(Ornament::deletion).toList()));
     }
 
     private static String kind(ClassDiagram.TypeDefinition type) {

@@ -2,9 +2,8 @@ package arcomat.editor.answer.shape;
 
 import arcomat.symbols.occurrences.Referent;
 import arcomat.symbols.occurrences.ReferentCases;
+import arcomat.tree.ClassDiagram.ClassDefinition;
 import arcomat.tree.ClassDiagram.EnumDefinition;
-import arcomat.tree.ClassDiagram.InterfaceDefinition;
-import arcomat.tree.ClassDiagram.OpaqueDefinition;
 
 /** What stands beside a name in a list: mostly its type. */
 public record ShortDescription() implements ReferentCases<String> {
@@ -25,13 +24,10 @@ public record ShortDescription() implements ReferentCases<String> {
 
     @Override
     public String type(Referent.Type type) {
-        if (type.symbol().node() instanceof InterfaceDefinition) {
-            return "interface";
+        if (type.symbol().node() instanceof ClassDefinition) {
+            return "class";
         }
-        if (type.symbol().node() instanceof OpaqueDefinition) {
-            return "type";
-        }
-        return type.symbol().node() instanceof EnumDefinition ? "enum" : "class";
+        return type.symbol().node() instanceof EnumDefinition ? "enum" : "opaque type";
     }
 
     @Override
