@@ -37,7 +37,7 @@ enumConstant
     ;
 
 typeBody
-    : '{' typeMember* '}'
+    : '{' typeMember* '}' ';'?
     | ';'
     ;
 
@@ -64,11 +64,11 @@ associationArrow
     ;
 
 leftEnd
-    : typeModifier* cardinality? qualifiedName qualifier? role?
+    : cardinality? qualifiedName qualifier? role?
     ;
 
 rightEnd
-    : role? qualifier? qualifiedName cardinality? typeModifier*
+    : role? qualifier? qualifiedName cardinality?
     ;
 
 cardinality

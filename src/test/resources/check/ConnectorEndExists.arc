@@ -84,9 +84,13 @@ component GoodParts {
     port in Integer heat, out Boolean tooHigh;
   }
 
-  component Copy copy [second -> motor.limit] {
+  autoinstantiate off;
+
+  component Copy {
     port in Integer first, out Integer second;
   }
+
+  component Copy copy [second -> motor.limit];
 
   connect speed -> motor, copy;
   connect go -> motor;

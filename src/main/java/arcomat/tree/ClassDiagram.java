@@ -153,7 +153,6 @@ public record ClassDiagram(
      */
     public record AssociationEnd(
             Span span,
-            List<Name> modifiers,
             TypeReference type,
             Optional<String> cardinality,
             Optional<String> qualifier,

@@ -121,7 +121,6 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
     private AssociationEnd left(ArcomatParser.LeftEndContext context) {
         return new AssociationEnd(
                 span(context),
-                members.modifiers(context.typeModifier()),
                 phrases.type(context.qualifiedName()),
                 optional(context.cardinality(), this::text),
                 optional(context.qualifier(), this::text),
@@ -131,7 +130,6 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
     private AssociationEnd right(ArcomatParser.RightEndContext context) {
         return new AssociationEnd(
                 span(context),
-                members.modifiers(context.typeModifier()),
                 phrases.type(context.qualifiedName()),
                 optional(context.cardinality(), this::text),
                 optional(context.qualifier(), this::text),
