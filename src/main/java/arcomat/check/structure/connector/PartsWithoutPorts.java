@@ -56,7 +56,11 @@ final class PartsWithoutPorts {
                         target.text(),
                         list(
                                 candidates.stream()
-                                        .map(each -> each.source().text() + " -> " + each.target().text())
+                                        .map(
+                                                each ->
+                                                        each.source().text()
+                                                                + " -> "
+                                                                + each.target().text())
                                         .toList()));
     }
 
