@@ -76,9 +76,7 @@ component BadParts {
 //        ~~~~ error ARC0103: 'both' is a part, and its targets ask for different ports of it; write a connector for each
   connect spead -> motor;
 //        ~~~~~ error ARC0103: component 'BadParts' has no port 'spead'; did you mean 'speed'?
-//                 ~~~~~ error ARC0103: 'motor' is a part, not a port; connect one of its ports
   connect speed -> nothing, motor.power;
-//                 ~~~~~~~ error ARC0103: 'nothing' is a part, not a port; connect one of its ports
 }
 
 //// GoodParts.arc
