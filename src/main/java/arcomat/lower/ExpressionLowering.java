@@ -44,11 +44,13 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
         return value;
     }
 
+    /** A variable of the component that is no constant of it is one of its automaton. */
     Variable variable(VariableSymbol symbol) {
-        return switch (symbol.kind()) {
-            case AUTOMATON -> known(environment.variables(), symbol.name());
-            case COMPONENT -> known(environment.constants(), symbol.name());
-        };
+        Variable constant =
+                symbol.kind() == VariableSymbol.Kind.COMPONENT
+                        ? environment.constants().get(symbol.name())
+                        : null;
+        return constant == null ? known(environment.variables(), symbol.name()) : constant;
     }
 
     @Override
