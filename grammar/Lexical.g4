@@ -27,7 +27,7 @@ name
     : ID
     | 'abstract' | 'alt' | 'autoconnect' | 'autoinstantiate' | 'automaton' | 'behavior' | 'call'
     | 'causalsync' | 'class' | 'classdiagram' | 'component' | 'compute' | 'connect' | 'delayed'
-    | 'deploy' | 'enum' | 'events' | 'expect' | 'extends' | 'for' | 'implementation' | 'import'
+    | 'deploy' | 'do' | 'enum' | 'events' | 'expect' | 'extends' | 'for' | 'implementation' | 'import'
     | 'in' | 'init' | 'initial' | 'input' | 'instant' | 'inv' | 'off' | 'on' | 'out' | 'output'
     | 'package' | 'port' | 'ports' | 'refines' | 'state' | 'super' | 'sync' | 'table' | 'test'
     | 'testsuite' | 'timing' | 'type' | 'untimed' | 'var' | 'variable'
