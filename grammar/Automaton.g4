@@ -83,11 +83,3 @@ alternatives
 sequence
     : '[' expression (',' expression)* ']'
     ;
-
-stereotypes
-    : '<' '<' stereotype (',' stereotype)* '>' '>'
-    ;
-
-stereotype
-    : name ('=' (literal | word = name))?
-    ;

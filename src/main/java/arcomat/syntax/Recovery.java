@@ -36,7 +36,7 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_statement,
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_typeMember,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart,
                     ArcomatParser.RULE_portStream,
@@ -61,6 +61,7 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_classDiagram,
                     ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_typeBody,
                     ArcomatParser.RULE_testSuite,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart);
