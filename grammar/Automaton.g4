@@ -61,11 +61,3 @@ alternatives
 sequence
     : '[' expression (',' expression)* ']'
     ;
-
-stereotypes
-    : '<' '<' stereotype (',' stereotype)* '>' '>'
-    ;
-
-stereotype
-    : name ('=' (literal | word = name))?
-    ;

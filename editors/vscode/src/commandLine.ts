@@ -16,6 +16,11 @@ export const FINDINGS = 1;
 export const WRONG_USE = 2;
 export const UNKNOWN = 3;
 
+/** Commands that read models. */
+const READING = new Set([
+  'campaign', 'check', 'diagram', 'gate', 'generate', 'refines', 'simulate', 'test', 'verify', 'world',
+]);
+
 /** The program is not there. */
 export class NotFound extends Error {}
 
@@ -28,9 +33,24 @@ export class CommandLine {
     return setting.startsWith('~/') ? path.join(os.homedir(), setting.slice(2)) : setting || 'arcomat';
   }
 
+  /** Model roots of others, where they lie; relative ones start in the first folder of the workspace. */
+  get libraries(): string[] {
+    const home = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath ?? os.homedir();
+    const setting = vscode.workspace.getConfiguration('arcomat').get<string[]>('libraries', []);
+    return setting.filter((each) => each.trim()).map((each) => path.resolve(home, each));
+  }
+
+  /** The words of a command, which is told of models of others where it reads models. */
+  withLibraries(words: readonly string[]): string[] {
+    const command = words[0];
+    return command !== undefined && READING.has(command)
+      ? [command, ...this.libraries.flatMap((each) => ['--library', each]), ...words.slice(1)]
+      : [...words];
+  }
+
   /** Runs a command silently, to its end or until somebody cancels it. */
   run(words: readonly string[], folder: string, cancelled?: vscode.CancellationToken): Promise<Outcome> {
-    return run(this.program, words, folder, cancelled);
+    return run(this.program, this.withLibraries(words), folder, cancelled);
   }
 
   /** Runs a command with a note that it runs, and keeps what it says in the output. */

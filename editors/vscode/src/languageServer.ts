@@ -43,6 +43,8 @@ export class LanguageServer implements vscode.Disposable {
     return {
       documentSelector: Object.values(LANGUAGES).map((language) => ({ scheme: 'file', language })),
       outputChannel: this.output,
+      initializationOptions: () => ({ libraries: this.tool.libraries }),
+      synchronize: { configurationSection: 'arcomat' },
       middleware: { window: { showDocument: (asked, next) => this.show(asked, next) } },
     };
   }

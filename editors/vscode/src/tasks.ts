@@ -23,7 +23,7 @@ function task(tool: CommandLine, definition: vscode.TaskDefinition): vscode.Task
     vscode.TaskScope.Workspace,
     words.join(' '),
     'arcomat',
-    new vscode.ProcessExecution(tool.program, [...words]),
+    new vscode.ProcessExecution(tool.program, tool.withLibraries(words)),
     ['$arcomat'],
   );
   made.group = words[0] === 'test' ? vscode.TaskGroup.Test : vscode.TaskGroup.Build;

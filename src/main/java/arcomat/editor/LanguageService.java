@@ -7,6 +7,8 @@ import org.eclipse.lsp4j.launch.LSPLauncher;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 
@@ -19,11 +21,13 @@ public final class LanguageService {
      *
      * @param version of the tool, for the editor's log
      * @param guests who bring laws and behaviour languages
+     * @param libraries model roots of others that models may refer to, absolute
      * @return the exit status that the protocol asks for: 0 where the editor took its leave
      */
-    public static int serve(InputStream in, OutputStream out, String version, Guests guests)
+    public static int serve(
+            InputStream in, OutputStream out, String version, Guests guests, List<Path> libraries)
             throws InterruptedException {
-        EditorServer server = new EditorServer(version, guests);
+        EditorServer server = new EditorServer(version, guests, libraries);
         var launcher = LSPLauncher.createServerLauncher(server, in, out);
         server.connect(launcher.getRemoteProxy());
         Future<Void> listening = launcher.startListening();

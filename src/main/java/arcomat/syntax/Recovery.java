@@ -35,7 +35,7 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_automatonElement,
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_typeMember,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart,
                     ArcomatParser.RULE_portStream,
@@ -58,6 +58,7 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_classDiagram,
                     ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_typeBody,
                     ArcomatParser.RULE_testSuite,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart);

@@ -28,6 +28,7 @@ final class AgentClient implements AutoCloseable {
     private final BufferedReader fromServer;
     private final Thread serving;
     private int calls;
+    private boolean greeted;
 
     /**
      * @param folder that the server is started in
@@ -55,6 +56,7 @@ final class AgentClient implements AutoCloseable {
     }
 
     void send(String line) throws IOException {
+        greeted |= line.contains("\"initialize\"");
         toServer.write((line + "\n").getBytes(StandardCharsets.UTF_8));
         toServer.flush();
     }
@@ -68,8 +70,17 @@ final class AgentClient implements AutoCloseable {
         return line;
     }
 
+    /** Begins as the protocol wants it, if nothing has been begun. */
+    void greet() throws IOException {
+        if (!greeted) {
+            send("{\"jsonrpc\":\"2.0\",\"id\":0,\"method\":\"initialize\",\"params\":{}}");
+            receive();
+        }
+    }
+
     /** The result of a tool. */
     JsonNode call(String tool, String arguments) throws IOException {
+        greet();
         ObjectNode request = JSON.createObjectNode();
         request.put("jsonrpc", "2.0").put("id", ++calls).put("method", "tools/call");
         request.putObject("params").put("name", tool).set("arguments", JSON.readTree(arguments));

@@ -13,7 +13,10 @@ class PipedRequestsTest {
     private static final int LONGEST = 10_000;
 
     private static AgentClient client() throws IOException {
-        return new AgentClient(Path.of("").toAbsolutePath(), List.of("models/coffee"), 60, LONGEST);
+        Path here = Path.of("").toAbsolutePath();
+        AgentClient client = new AgentClient(here, List.of("models/coffee"), 60, LONGEST);
+        client.greet();
+        return client;
     }
 
     @Test

@@ -5,12 +5,16 @@ import arcomat.guest.host.Guests;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.source.SourceFile;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+
 import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionContext;
 import org.eclipse.lsp4j.CodeActionParams;
 import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.Diagnostic;
+import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeTextDocumentParams;
 import org.eclipse.lsp4j.DidCloseTextDocumentParams;
 import org.eclipse.lsp4j.DidOpenTextDocumentParams;
@@ -61,6 +65,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 
 /**
  * An editor without a screen: it keeps the texts that are open, does the edits that it is sent, and
@@ -86,7 +91,7 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         // A PipedInputStream ends when the thread that wrote last does.
         Pipe toServer = Pipe.open();
         Pipe toClient = Pipe.open();
-        EditorServer served = new EditorServer("0", Guests.NONE);
+        EditorServer served = new EditorServer("0", Guests.NONE, List.of());
         var serving =
                 LSPLauncher.createServerLauncher(
                         served,
@@ -296,6 +301,24 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
     @Override
     public void telemetryEvent(Object object) {}
+
+    /** Settings name models of others; behind the first of the words. */
+    void refersTo(String... words) {
+        JsonArray folders = new JsonArray();
+        Stream.of(words).skip(1).forEach(folders::add);
+        JsonObject section = new JsonObject();
+        section.add("libraries", folders);
+        JsonObject settings = new JsonObject();
+        settings.add("arcomat", section);
+        server.getWorkspaceService()
+                .didChangeConfiguration(new DidChangeConfigurationParams(settings));
+    }
+
+    /** The same after the server has done all that it was asked to. */
+    List<String> toldSince() {
+        problems();
+        return messages().stream().map(each -> each.replace(folder + "/", "")).toList();
+    }
 
     /** What it was told since it was last asked. */
     List<String> messages() {

@@ -38,6 +38,8 @@ final class EditorScript {
             case "show" -> client.text(path).text();
             case "type" -> silently(() -> client.replace(path, range(place), unescaped(rest)));
             case "problems" -> problems();
+            case "libraries" -> silently(() -> client.refersTo(step.split(" ")));
+            case "messages" -> String.join("\n", client.toldSince()) + "\n";
             case "complete" -> completions(path, range(place).getStart());
             case "accept" -> silently(() -> accept(path, range(place).getStart(), rest));
             case "fixes" -> fixes(path, range(place));

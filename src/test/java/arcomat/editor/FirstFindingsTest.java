@@ -94,6 +94,20 @@ class FirstFindingsTest {
         assertThat(codes(all.findings("p/Whole.arc"))).containsExactly("ARC0103");
     }
 
+    @Test
+    void knowsModelsOfOthers() throws IOException {
+        Path own = Files.createDirectories(folder.resolve("own/q")).resolve("Robot.arc");
+        String text =
+                "package q;\n\nimport p.*;\n\ncomponent Robot {\n    component Part part;\n}\n";
+        Files.writeString(own, text);
+        Desk fresh = new Desk();
+        fresh.add(folder.resolve("own"));
+        fresh.open(own, text);
+        assertThat(codes(fresh.firstLook(own).orElseThrow().findings())).contains("ARC0121");
+        assertThat(fresh.referTo(List.of(folder))).isEmpty();
+        assertThat(codes(fresh.firstLook(own).orElseThrow().findings())).doesNotContain("ARC0121");
+    }
+
     /** Those without a package come first by their names, and last to their root. */
     @Test
     void filesComeToTheRootToWhichTheyComeAllAtOnce() throws IOException {

@@ -5,6 +5,9 @@ import arcomat.agent.server.LineReader.Line;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
 
 import org.eclipse.lsp4j.jsonrpc.Endpoint;
 import org.eclipse.lsp4j.jsonrpc.MessageIssueException;
@@ -16,10 +19,12 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.jsonrpc.messages.Message;
 import org.eclipse.lsp4j.jsonrpc.messages.NotificationMessage;
 import org.eclipse.lsp4j.jsonrpc.messages.RequestMessage;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.StringReader;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -69,7 +74,9 @@ public final class LineConnection {
 
     private void take(Line line, RemoteEndpoint agent) {
         if (line.tooLong()) {
-            outbox.refuse("a message may have " + LineReader.LONGEST + " bytes, and no more");
+            outbox.refuse(
+                    ResponseErrorCode.InvalidRequest,
+                    "a message may have " + LineReader.LONGEST + " bytes, and no more");
         } else if (!line.text().isEmpty()) {
             take(line.text(), agent);
         }
@@ -83,7 +90,27 @@ public final class LineConnection {
             }
             agent.consume(cancelling(message));
         } catch (MessageIssueException | JsonParseException | IllegalStateException e) {
-            outbox.refuse("this line is no message of JSON-RPC");
+            refuse(text);
+        }
+    }
+
+    /** What is JSON at least is told apart from what is not, as JSON-RPC wants it. */
+    private void refuse(String text) {
+        if (isJson(text)) {
+            outbox.refuse(ResponseErrorCode.InvalidRequest, "this line is no message of JSON-RPC");
+        } else {
+            outbox.refuse(ResponseErrorCode.ParseError, "this line is no JSON");
+        }
+    }
+
+    private static boolean isJson(String text) {
+        JsonReader reader = new JsonReader(new StringReader(text));
+        reader.setStrictness(Strictness.STRICT);
+        try {
+            reader.skipValue();
+            return reader.peek() == JsonToken.END_DOCUMENT;
+        } catch (IOException e) {
+            return false;
         }
     }
 

@@ -53,9 +53,9 @@ final class Outbox implements MessageConsumer {
     }
 
     /** Answers what is no message. */
-    synchronized void refuse(String why) {
+    synchronized void refuse(ResponseErrorCode code, String why) {
         ResponseMessage answer = new ResponseMessage();
-        answer.setError(new ResponseError(ResponseErrorCode.ParseError, why, null));
+        answer.setError(new ResponseError(code, why, null));
         write(answer);
     }
 

@@ -31,10 +31,14 @@ public final class ToolServer implements Endpoint {
     /** What can be asked for. */
     static final Set<String> METHODS = Set.of(INITIALIZE, PING, LIST, CALL);
 
+    /** What may come before the first of them. */
+    private static final Set<String> UNGREETED = Set.of(INITIALIZE, PING);
+
     private final Workshop workshop;
     private final Greeting greeting;
     private final LongAnswers answers;
     private final List<Tool> tools;
+    private boolean greeted;
 
     /**
      * @param longest characters of an answer; what is longer comes in parts
@@ -49,7 +53,13 @@ public final class ToolServer implements Endpoint {
 
     @Override
     public CompletableFuture<?> request(String method, @Nullable Object params) {
+        if (!greeted && METHODS.contains(method) && !UNGREETED.contains(method)) {
+            return refused(
+                    ResponseErrorCode.InvalidRequest,
+                    "'" + method + "' comes before '" + INITIALIZE + "': begin with that");
+        }
         JsonObject told = params instanceof JsonObject object ? object : new JsonObject();
+        greeted |= method.equals(INITIALIZE);
         return switch (method) {
             case INITIALIZE -> CompletableFuture.completedFuture(greeting.answer(told));
             case PING -> CompletableFuture.completedFuture(new JsonObject());

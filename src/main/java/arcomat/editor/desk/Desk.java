@@ -9,7 +9,9 @@ import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.FirstLook;
+import arcomat.pipeline.recheck.LibraryModels;
 import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.names.Lazy;
 
@@ -50,6 +52,11 @@ public final class Desk {
     private final Set<Path> early = new LinkedHashSet<>();
 
     private final Map<Path, SourceFile> screen = new HashMap<>();
+
+    /** Folders of models of others. */
+    private List<Path> libraries = List.of();
+
+    private final Guests guests;
     private final Roots roots;
     private final Lazy<Optional<Path>> library = new Lazy<>(Desk::writtenLibrary);
 
@@ -62,7 +69,20 @@ public final class Desk {
      * @param guests who bring laws and behaviour languages
      */
     public Desk(Guests guests) {
+        this.guests = guests;
         this.roots = new Roots(guests);
+    }
+
+    /**
+     * From now on models may refer to those of others.
+     *
+     * @param modelRoots folders, absolute
+     * @return what is to be said of the folders
+     */
+    public List<Diagnostic> referTo(List<Path> modelRoots) {
+        libraries = List.copyOf(modelRoots);
+        roots.referTo(LibraryModels.in(libraries, guests));
+        return roots.libraries().findings();
     }
 
     /** Takes in all models of a folder, when somebody needs them. */
@@ -224,6 +244,9 @@ public final class Desk {
                 files.stream()
                         .filter(file -> !screen.containsKey(file) && FileFinder.isModelFile(file))
                         .toList();
+        if (files.stream().anyMatch(roots.libraries()::holds)) {
+            referTo(libraries);
+        }
         roots.remove(others.stream().filter(file -> !Files.isRegularFile(file)).toList());
         roots.take(texts(others.stream().filter(Files::isRegularFile).toList()));
     }
@@ -245,9 +268,9 @@ public final class Desk {
                                         each -> place(models, each)));
     }
 
-    /** Where editors find a file of some models; the library's are written for them. */
+    /** Where editors find a file of some models; the tool's are written for them. */
     public Path place(OpenModels models, String path) {
-        return models.isLibrary(path) && library.get().isPresent()
+        return isOfTool(models, path) && library.get().isPresent()
                 ? library.get().get().resolve(Library.below(path))
                 : models.root().resolve(path);
     }
@@ -260,10 +283,28 @@ public final class Desk {
         }
     }
 
-    /** Whether findings are for whoever works here: the library's are, where it is looked at. */
+    private static boolean isOfTool(OpenModels models, String path) {
+        return models.isLibrary(path) && Library.isShown(path);
+    }
+
+    /**
+     * Whether findings are for whoever works here: those of others are, where somebody looks at
+     * them; of libraries that are not looked at, errors are, which is all that is found there.
+     */
     public boolean isShown(OpenModels models, String path) {
         Path file = models.root().resolve(path);
-        return !models.isLibrary(path) && (!LibraryFolder.holds(file) || screen.containsKey(file));
+        boolean ofOthers = LibraryFolder.holds(file) || isOfLibrary(file);
+        if (models.isLibrary(path)) {
+            return !isOfTool(models, path) && ofOthers && !screen.containsKey(file);
+        }
+        return !ofOthers || screen.containsKey(file);
+    }
+
+    /** Whoever has a library in the workspace works on it, too, unless a build has put it there. */
+    private boolean isOfLibrary(Path file) {
+        return roots.libraries().holds(file)
+                && folders.stream()
+                        .noneMatch(folder -> file.startsWith(folder) && !isMade(folder, file));
     }
 
     /** The text on the screen, of whatever kind. */

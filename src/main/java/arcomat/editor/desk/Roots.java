@@ -5,6 +5,7 @@ import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.FirstLook;
+import arcomat.pipeline.recheck.LibraryModels;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -43,6 +44,7 @@ final class Roots {
 
     private final Guests guests;
     private final Map<Path, OpenModels> roots = new TreeMap<>();
+    private LibraryModels libraries = LibraryModels.NONE;
 
     /** The root of each file. */
     private final Map<Path, Path> homes = new HashMap<>();
@@ -112,7 +114,7 @@ final class Roots {
             return Optional.empty();
         }
         Path home = home(file, packageName);
-        return FirstLook.at(home, new SourceFile(path(home, file), text), guests);
+        return FirstLook.at(home, new SourceFile(path(home, file), text), guests, libraries);
     }
 
     /**
@@ -140,7 +142,8 @@ final class Roots {
             change(last, changes).removed().add(path(last, file));
         }
         Change change = change(home, changes);
-        roots.computeIfAbsent(home, root -> OpenModels.in(root, false, guests));
+        roots.computeIfAbsent(
+                home, root -> OpenModels.in(root, false, guests).referringTo(libraries));
         String path = path(home, file);
         read.file().ifPresent(text -> change.written().add(new SourceFile(path, text.text())));
         read.finding().ifPresent(finding -> change.unreadable().add(at(path, finding)));
@@ -151,6 +154,16 @@ final class Roots {
         SourceFile file = new SourceFile(path, span.file().text());
         return Diagnostic.error(
                 finding.code(), file.span(span.start(), span.end()), finding.message());
+    }
+
+    /** From now on models may refer to these of others. */
+    void referTo(LibraryModels others) {
+        libraries = others;
+        roots.replaceAll((root, models) -> models.referringTo(others));
+    }
+
+    LibraryModels libraries() {
+        return libraries;
     }
 
     void remove(Collection<Path> files) {

@@ -8,6 +8,7 @@ import arcomat.symbols.occurrences.Occurrence;
 import arcomat.symbols.occurrences.Referent;
 import arcomat.syntax.Identifiers;
 
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 
@@ -67,7 +68,13 @@ public final class Renaming {
             throw new RenameRefused("'%s' is built in".formatted(referent.name()));
         }
         String path = file.get().path();
-        if (models.isLibrary(path) || LibraryFolder.holds(models.root().resolve(path))) {
+        Path place = models.root().resolve(path);
+        if (models.libraries().holds(place)) {
+            throw new RenameRefused(
+                    "'%s' belongs to a library, which is only read here: '%s'"
+                            .formatted(referent.name(), place.getFileName()));
+        }
+        if (models.isLibrary(path) || LibraryFolder.holds(place)) {
             throw new RenameRefused(
                     "'%s' belongs to the library that comes with the tool"
                             .formatted(referent.name()));

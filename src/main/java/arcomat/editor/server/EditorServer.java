@@ -37,6 +37,7 @@ import org.eclipse.lsp4j.services.WorkspaceService;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -55,6 +56,7 @@ public final class EditorServer implements LanguageServer {
     private static final Duration QUIET = Duration.ofMillis(200);
 
     private final String version;
+    private final List<Path> libraries;
     private final Worker worker;
     private final ScheduledThreadPoolExecutor asking =
             new ScheduledThreadPoolExecutor(1, new DeepThreads("verdicts"));
@@ -67,14 +69,20 @@ public final class EditorServer implements LanguageServer {
     private LanguageClient client;
 
     private volatile Abilities abilities = Abilities.NONE;
+
+    /** Where folders in settings start from. */
+    private volatile Path home = Path.of("").toAbsolutePath();
+
     private boolean shutDown;
 
     /**
      * @param version of the tool
      * @param guests who bring laws and behaviour languages
+     * @param libraries model roots of others, absolute; settings may name more
      */
-    public EditorServer(String version, Guests guests) {
+    public EditorServer(String version, Guests guests, List<Path> libraries) {
         this.version = version;
+        this.libraries = List.copyOf(libraries);
         this.worker = new Worker(guests, this::publish);
         this.verdicts = new Verdicts(asking, QUIET, this::refreshLenses);
         this.verdictRequests = new VerdictRequests(worker, verdicts, this::show);
@@ -93,11 +101,34 @@ public final class EditorServer implements LanguageServer {
     @Override
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
         abilities = Abilities.of(params.getCapabilities());
-        folders(params).stream()
-                .flatMap(address -> Positions.path(address).stream())
-                .forEach(path -> worker.edit(desk -> desk.add(path)));
+        List<Path> folders =
+                folders(params).stream()
+                        .flatMap(address -> Positions.path(address).stream())
+                        .toList();
+        folders.stream().findFirst().ifPresent(first -> home = first);
+        referTo(LibrarySetting.in(params.getInitializationOptions()));
+        folders.forEach(path -> worker.edit(desk -> desk.add(path)));
         return CompletableFuture.completedFuture(
                 new InitializeResult(capabilities(), new ServerInfo("Arcomat", version)));
+    }
+
+    /**
+     * Models may refer to those of others.
+     *
+     * @param written model roots, as settings name them, besides those that have been named at the
+     *     start
+     */
+    private void referTo(List<String> written) {
+        List<Path> all = new ArrayList<>(libraries);
+        written.forEach(each -> all.add(home.resolve(each).normalize()));
+        worker.edit(
+                desk ->
+                        desk.referTo(all)
+                                .forEach(
+                                        each ->
+                                                warn(
+                                                        "%s; look at the setting arcomat.libraries"
+                                                                .formatted(each.message()))));
     }
 
     /** Older editors know one folder only. */
@@ -250,6 +281,6 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public WorkspaceService getWorkspaceService() {
-        return new WorkspaceRequests(worker, verdictRequests);
+        return new WorkspaceRequests(worker, verdictRequests, this::referTo);
     }
 }

@@ -17,14 +17,20 @@ import org.eclipse.lsp4j.services.WorkspaceService;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /** What editors say and ask about all files together. */
 final class WorkspaceRequests implements WorkspaceService {
     private final Worker worker;
 
     private final VerdictRequests verdicts;
+    private final Consumer<List<String>> libraries;
 
-    WorkspaceRequests(Worker worker, VerdictRequests verdicts) {
+    /**
+     * @param libraries told when settings name other models of others
+     */
+    WorkspaceRequests(Worker worker, VerdictRequests verdicts, Consumer<List<String>> libraries) {
+        this.libraries = libraries;
         this.worker = worker;
         this.verdicts = verdicts;
     }
@@ -62,7 +68,11 @@ final class WorkspaceRequests implements WorkspaceService {
         return worker.ask((desk, canceled) -> Either.forRight(search.on(desk)));
     }
 
-    /** There is nothing to be configured yet. */
     @Override
-    public void didChangeConfiguration(DidChangeConfigurationParams params) {}
+    public void didChangeConfiguration(DidChangeConfigurationParams params) {
+        Object section = LibrarySetting.section(params.getSettings());
+        if (section != null) {
+            libraries.accept(LibrarySetting.in(section));
+        }
+    }
 }

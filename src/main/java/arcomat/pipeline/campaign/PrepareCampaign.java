@@ -55,11 +55,21 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      *
      * @param world path of its world, as the user would write it
      * @param items what its runs may cover
+     * @param libraries model roots of others that its programs were made with
      */
-    public record Ready(Campaign campaign, String world, Freight freight, CoverageItems items) {
+    public record Ready(
+            Campaign campaign,
+            String world,
+            Freight freight,
+            CoverageItems items,
+            List<String> libraries) {
+        public Ready {
+            libraries = List.copyOf(libraries);
+        }
+
         /** How its runs are made again. */
         public RunAgain replay() {
-            return new RunAgain(world, freight.limited());
+            return new RunAgain(world, freight.limited(), libraries);
         }
     }
 
@@ -103,7 +113,13 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                 findings,
                 1 + programs.files(),
                 programs.aside(),
-                Optional.of(new Ready(campaign, worldFile, freight, coverage.items())));
+                Optional.of(
+                        new Ready(
+                                campaign,
+                                worldFile,
+                                freight,
+                                coverage.items(),
+                                session.libraries())));
     }
 
     private String beside(String written) {

@@ -1,6 +1,7 @@
 package arcomat.pipeline.check;
 
 import arcomat.check.Checks;
+import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
@@ -150,7 +151,13 @@ public record CheckedModels(
 
     private static Review review(
             LoadedModels loaded, Workspace workspace, Profile profile, Session session) {
-        return review(workspace, profile, unit -> true, loaded.libraries(), session)
+        return review(
+                        session.laws(),
+                        workspace,
+                        profile,
+                        unit -> true,
+                        loaded.libraries(),
+                        session.progress()::goOn)
                 .and(
                         Checks.reviewRecovered(
                                 session.laws(),
@@ -167,37 +174,33 @@ public record CheckedModels(
      *
      * @param asked which units are looked at
      * @param libraries paths of their models
+     * @param goOn asked now and then; it may throw what ends the work
      */
     public static Review review(
+            LawBook laws,
             Workspace workspace,
             Profile profile,
             Predicate<Unit> asked,
             Set<String> libraries,
-            Session session) {
+            Runnable goOn) {
         if (libraries.isEmpty()) {
-            return Checks.review(
-                    session.laws(), workspace, profile, asked, session.progress()::goOn);
+            return Checks.review(laws, workspace, profile, asked, goOn);
         }
         Predicate<SourceFile> foreign = file -> libraries.contains(file.path());
-        return only(foreign.negate(), workspace, profile, asked, session)
-                .and(only(foreign, workspace, Profile.REQUIREMENTS, asked, session));
+        return only(foreign.negate(), laws, workspace, profile, asked, goOn)
+                .and(only(foreign, laws, workspace, Profile.REQUIREMENTS, asked, goOn));
     }
 
     /** Laws about all files together find what is wrong with others as well. */
     private static Review only(
             Predicate<SourceFile> files,
+            LawBook laws,
             Workspace workspace,
             Profile profile,
             Predicate<Unit> asked,
-            Session session) {
+            Runnable goOn) {
         Predicate<Unit> units = unit -> files.test(unit.file());
-        Review all =
-                Checks.review(
-                        session.laws(),
-                        workspace,
-                        profile,
-                        asked.and(units),
-                        session.progress()::goOn);
+        Review all = Checks.review(laws, workspace, profile, asked.and(units), goOn);
         return new Review(
                 all.findings().stream().filter(each -> files.test(each.span().file())).toList(),
                 all.suppressed().stream()

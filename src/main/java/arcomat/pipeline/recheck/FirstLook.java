@@ -23,11 +23,13 @@ public record FirstLook(OpenModels models, String path) {
      * @param root the folder of the models, absolute
      * @param text of the file, whose path starts there
      * @param guests who bring laws and behaviour languages
+     * @param libraries models of others that the file may refer to
      * @return nothing where the file's package does not say where others are to be looked for
      */
-    public static Optional<FirstLook> at(Path root, SourceFile text, Guests guests) {
+    public static Optional<FirstLook> at(
+            Path root, SourceFile text, Guests guests, LibraryModels libraries) {
         String path = text.path();
-        return new Reach(root, guests)
+        return new Reach(root, guests, libraries)
                 .of(text)
                 .map(models -> new FirstLook(models.check(path::equals, () -> {}), path));
     }

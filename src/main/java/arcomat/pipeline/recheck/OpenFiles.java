@@ -6,6 +6,7 @@ import arcomat.check.law.Profile;
 import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
+import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.recheck.CheckState.File;
@@ -33,15 +34,20 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** The files of a model root as they are now, the library's that they need included. A value. */
+/**
+ * The files of a model root as they are now, those of libraries and of the tool's own that they
+ * need included. A value.
+ */
 final class OpenFiles {
-    /** As files are found in folders, the library's last. */
+    /** As files are found in folders, those of libraries next, the tool's last. */
     private static final Comparator<String> ORDER =
-            Comparator.comparing(Library::isShown)
+            Comparator.comparing(OpenFiles::isOfOthers)
+                    .thenComparing(Library::isShown)
                     .thenComparing(path -> path.split("/"), Arrays::compare);
 
     private final Path root;
     private final Guests guests;
+    private final LibraryModels libraries;
     private final SortedMap<String, OpenFile> files;
     private final OpenModels.Edition edition = new OpenModels.Edition();
     private final Lazy<Workspace> workspace = new Lazy<>(this::around);
@@ -55,15 +61,31 @@ final class OpenFiles {
      */
     record OpenFile(File remembered, Optional<SourceFile> source, Parsed parsed) {}
 
-    private OpenFiles(Path root, Guests guests, SortedMap<String, OpenFile> files) {
+    private OpenFiles(
+            Path root, Guests guests, LibraryModels libraries, SortedMap<String, OpenFile> files) {
         this.root = root;
         this.guests = guests;
+        this.libraries = libraries;
         this.files = files;
     }
 
     /** None, in a folder. */
     static OpenFiles in(Path root, Guests guests) {
-        return new OpenFiles(root, guests, new TreeMap<>(ORDER));
+        return new OpenFiles(root, guests, LibraryModels.NONE, new TreeMap<>(ORDER));
+    }
+
+    /** The same, which may refer to other models of others from now on. */
+    OpenFiles referringTo(LibraryModels others) {
+        return new OpenFiles(root, guests, others, files).with(OpenModels.Edit.of(List.of()));
+    }
+
+    LibraryModels libraries() {
+        return libraries;
+    }
+
+    /** Paths of a root's files start there, and those of the tool's library in it. */
+    private static boolean isOfOthers(String path) {
+        return Library.isShown(path) || Path.of(path).isAbsolute();
     }
 
     Guests guests() {
@@ -82,15 +104,14 @@ final class OpenFiles {
             SourceFile source = edit.written().get(i);
             after.put(source.path(), open(states, source, parsed.get(i), true));
         }
+        addLibraries(after, states);
         if (edit.paths().anyMatch(path -> Library.mayHide(path) && cameOrWent(path, after))) {
             after.replaceAll(
                     (path, file) ->
-                            file.source()
-                                    .map(source -> open(states, source, file.parsed(), true))
-                                    .orElse(file));
+                            file.source().map(source -> open(states, source, file)).orElse(file));
         }
         addLibrary(after, states);
-        return new OpenFiles(root, guests, after);
+        return new OpenFiles(root, guests, libraries, after);
     }
 
     private boolean cameOrWent(String path, Map<String, OpenFile> after) {
@@ -100,8 +121,11 @@ final class OpenFiles {
     private StateOfFiles states(Set<String> kept, OpenModels.Edit edit) {
         Set<String> named = new HashSet<>(kept);
         edit.written().forEach(file -> named.add(file.path()));
+        named.addAll(libraries.files().keySet());
         PathNames names = new PathNames(root);
-        return new StateOfFiles(new FilesAround(names, Set.of(PathNames.real(root)), named));
+        Set<Path> searched = new HashSet<>(libraries.folders());
+        searched.add(PathNames.real(root));
+        return new StateOfFiles(new FilesAround(names, searched, named));
     }
 
     static String path(Diagnostic finding) {
@@ -120,7 +144,38 @@ final class OpenFiles {
         return new OpenFile(states.of(source, parsed, named), Optional.of(source), parsed);
     }
 
-    /** The library's models that the others need, over any number of steps. */
+    private static OpenFile open(StateOfFiles states, SourceFile source, OpenFile file) {
+        return open(states, source, file.parsed(), file.remembered().named());
+    }
+
+    /** What lies in this root as well is its own. */
+    private void addLibraries(Map<String, OpenFile> after, StateOfFiles states) {
+        PathNames names = new PathNames(root);
+        libraries
+                .files()
+                .forEach(
+                        (path, file) -> {
+                            if (!after.containsKey(names.shown(Path.of(path), false))) {
+                                after.put(path, ofLibrary(path, file, states));
+                            }
+                        });
+    }
+
+    private OpenFile ofLibrary(String path, LibraryModels.LibraryFile file, StateOfFiles states) {
+        OpenFile known = files.get(path);
+        return known != null && known.parsed() == file.parsed()
+                ? known
+                : file.source()
+                        .map(source -> open(states, source, file.parsed(), false))
+                        .orElseGet(
+                                () ->
+                                        new OpenFile(
+                                                StateOfFiles.unreadable(path, false),
+                                                Optional.empty(),
+                                                file.parsed()));
+    }
+
+    /** The tool's models that the others need, over any number of steps. */
     private void addLibrary(Map<String, OpenFile> after, StateOfFiles states) {
         Deque<String> open = new ArrayDeque<>();
         after.values().forEach(file -> open.addAll(file.remembered().needs()));
@@ -200,11 +255,12 @@ final class OpenFiles {
      * @param goOn asked now and then; it may throw what ends the work
      */
     Review review(Set<String> wanted, Profile profile, Runnable goOn) {
-        return Checks.review(
+        return CheckedModels.review(
                         guests.laws(),
                         whole.get(),
                         profile,
                         unit -> wanted.contains(unit.file().path()),
+                        libraries.files().keySet(),
                         goOn)
                 .and(
                         Checks.reviewRecovered(

@@ -105,6 +105,16 @@ public final class OpenModels {
         return files.guests();
     }
 
+    /** The same, which may refer to models of others, of which only errors are told. */
+    public OpenModels referringTo(LibraryModels others) {
+        return new OpenModels(executable, files.referringTo(others), checked);
+    }
+
+    /** Those of others that these may refer to. */
+    public LibraryModels libraries() {
+        return files.libraries();
+    }
+
     /** Reads the new texts; findings about meaning stay those of the last check. */
     public OpenModels with(Edit edit) {
         return new OpenModels(executable, files.with(edit), checked);
@@ -198,7 +208,7 @@ public final class OpenModels {
         return files.root();
     }
 
-    /** All files, the library's that they need included. */
+    /** All files, those of libraries and the tool's that they need included. */
     public Set<String> paths() {
         return files.all().keySet();
     }
@@ -213,7 +223,7 @@ public final class OpenModels {
         return files.file(path).map(OpenFile::parsed);
     }
 
-    /** Whether the file came with the tool and is nobody's to change. */
+    /** Whether the file came with the tool or is one of others, and is nobody's to change. */
     public boolean isLibrary(String path) {
         return files.file(path).filter(file -> !file.remembered().named()).isPresent();
     }

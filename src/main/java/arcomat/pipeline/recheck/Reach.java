@@ -25,6 +25,7 @@ final class Reach {
     private static final int MOST = 30;
 
     private final Guests guests;
+    private final LibraryModels libraries;
     private final Path root;
     private final PathNames names;
     private final ModelRoot roots;
@@ -33,9 +34,11 @@ final class Reach {
     /**
      * @param root the folder of the models, absolute
      * @param guests who bring laws and behaviour languages
+     * @param libraries models of others that the file may refer to
      */
-    Reach(Path root, Guests guests) {
+    Reach(Path root, Guests guests, LibraryModels libraries) {
         this.guests = guests;
+        this.libraries = libraries;
         this.root = root;
         this.names = new PathNames(root);
         this.roots = new ModelRoot(names.fence());
@@ -45,7 +48,9 @@ final class Reach {
     Optional<OpenModels> of(SourceFile text) {
         met.add(root.resolve(text.path()));
         OpenModels models =
-                OpenModels.in(root, false, guests).with(OpenModels.Edit.of(List.of(text)));
+                OpenModels.in(root, false, guests)
+                        .referringTo(libraries)
+                        .with(OpenModels.Edit.of(List.of(text)));
         List<Unit> fresh = readable(models, List.of(text));
         if (!fresh.stream().allMatch(this::belongsHere)) {
             return Optional.empty();

@@ -173,11 +173,12 @@ final class Update {
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
                 CheckedModels.review(
+                                session.laws(),
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 Set.copyOf(named.ofLibraries()),
-                                session)
+                                session.progress()::goOn)
                         .and(
                                 Checks.reviewRecovered(
                                         session.laws(),

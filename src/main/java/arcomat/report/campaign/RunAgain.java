@@ -3,6 +3,7 @@ package arcomat.report.campaign;
 import arcomat.campaign.Row;
 import arcomat.report.text.Printable;
 
+import java.util.List;
 import java.util.regex.Pattern;
 
 /**
@@ -10,8 +11,13 @@ import java.util.regex.Pattern;
  *
  * @param world the world's file, as a user would write it
  * @param limited whether programs met the limits of real bricks
+ * @param libraries model roots of others that the programs were made with, as the user wrote them
  */
-public record RunAgain(String world, boolean limited) {
+public record RunAgain(String world, boolean limited, List<String> libraries) {
+    public RunAgain {
+        libraries = List.copyOf(libraries);
+    }
+
     /** What a shell takes as it stands. */
     private static final Pattern PLAIN = Pattern.compile("[\\w./:=,+@%-]+");
 
@@ -40,6 +46,7 @@ public record RunAgain(String world, boolean limited) {
                 .forEach(
                         (name, value) ->
                                 command.append(" --set ").append(word(name + "=" + value)));
+        libraries.forEach(each -> command.append(" --library ").append(word(each)));
         if (!limited) {
             command.append(" --no-limits");
         }

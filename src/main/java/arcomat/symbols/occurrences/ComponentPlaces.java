@@ -214,9 +214,13 @@ final class ComponentPlaces implements Element.Visitor {
 
     private void end(QualifiedName written, End end, Role role) {
         end.port()
+                .filter(port -> end.status() != Status.COMPLETED)
                 .ifPresent(
                         port -> places.add(written.last().span(), new Referent.Port(port), role));
-        boolean namesPart = !written.isSimple() || end.status() == Status.NO_SUCH_PORT;
+        boolean namesPart =
+                !written.isSimple()
+                        || end.status() == Status.NO_SUCH_PORT
+                        || end.status() == Status.COMPLETED;
         if (namesPart) {
             end.instance()
                     .ifPresent(

@@ -31,7 +31,7 @@ final class Structure {
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_classDiagram,
                     ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_typeMember,
                     ArcomatParser.RULE_testSuite,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart,
@@ -121,6 +121,8 @@ final class Structure {
     private void visitOne(ParserRuleContext context, int level) {
         if (STARTING_LINES.contains(context.getRuleIndex())) {
             markLine(context.start, level);
+        } else if (context instanceof ArcomatParser.EnumConstantContext && isFirstOfBody(context)) {
+            markLine(context.start, level);
         } else if (context instanceof ArcomatParser.PortContext
                 && context.getParent() == spreadPorts) {
             markLine(context.start, level + 1);
@@ -173,6 +175,18 @@ final class Structure {
         return ports.port().size() > 1 && (hasComments || length > Wrapping.WIDTH);
     }
 
+    /** Of an enum whose constants are not all that it holds. */
+    private static boolean isFirstOfBody(ParserRuleContext constant) {
+        ParserRuleContext parent = constant.getParent();
+        return hasMembers(parent)
+                && ((ArcomatParser.EnumDefinitionContext) parent).enumConstant(0) == constant;
+    }
+
+    private static boolean hasMembers(ParserRuleContext context) {
+        return context instanceof ArcomatParser.EnumDefinitionContext definition
+                && !definition.typeMember().isEmpty();
+    }
+
     private static List<TerminalNode> leaves(ParseTree tree) {
         List<TerminalNode> leaves = new ArrayList<>();
         Deque<ParseTree> open = new ArrayDeque<>(List.of(tree));
@@ -195,7 +209,8 @@ final class Structure {
 
     private static boolean hasBody(ParserRuleContext context) {
         return WITH_BODY.contains(context.getRuleIndex())
-                || context instanceof ArcomatParser.ClassDefinitionContext
+                || context.getRuleIndex() == ArcomatParser.RULE_typeBody
+                || hasMembers(context)
                 || context instanceof ArcomatParser.TestMemberContext
                 || context instanceof ArcomatParser.StreamsPartContext
                 || context instanceof ArcomatParser.EventsPartContext;

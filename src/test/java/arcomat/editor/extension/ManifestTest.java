@@ -2,22 +2,33 @@ package arcomat.editor.extension;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.cli.Embedded;
+import arcomat.editor.server.EditorServer;
+import arcomat.editor.verdict.VerdictLenses;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.file.FileFinder;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 
+import org.eclipse.lsp4j.ClientCapabilities;
+import org.eclipse.lsp4j.InitializeParams;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** What the extension for VS Code says of itself, against what it is; without Node. */
@@ -26,6 +37,14 @@ class ManifestTest {
     private static final Pattern REGISTERED =
             Pattern.compile("(?:register|registerCommand)\\('(arcomat\\.\\w+)'");
     private static final Pattern MENTIONED = Pattern.compile("\\(command:(arcomat\\.\\w+)");
+    private static final Pattern ROW = Pattern.compile("(?m)^\\| `(Arcomat: [^`]+)` \\|");
+    private static final Pattern READING =
+            Pattern.compile("const READING = new Set\\(\\[([^\\]]*)");
+    private static final Pattern WORD = Pattern.compile("'([\\w-]+)'");
+
+    /** The first word of a command line. */
+    private static final Pattern CALLED = Pattern.compile("\\['([a-z-]+)', (?:'|\\w|\\.\\.\\.)");
+
     private static final Pattern PATH = Pattern.compile("\"(?:\\./|media/)[^\"]+\"");
 
     private static JsonNode manifest;
@@ -59,10 +78,87 @@ class ManifestTest {
 
     @Test
     void everyCommandIsThere() throws IOException {
-        assertThat(all(REGISTERED, code())).isEqualTo(commands());
+        Set<String> there = all(REGISTERED, code());
+        there.addAll(ofServer());
+        assertThat(there).isEqualTo(commands());
         assertThat(commands()).containsAll(contributes.get("menus").findValuesAsText("command"));
         assertThat(commands())
                 .containsAll(all(MENTIONED, contributes.get("walkthroughs").toString()));
+    }
+
+    /** The client registers what the server says that it does. */
+    private static List<String> ofServer() {
+        InitializeParams params = new InitializeParams();
+        params.setCapabilities(new ClientCapabilities());
+        return new EditorServer("0", Guests.NONE, List.of())
+                .initialize(params)
+                .join()
+                .getCapabilities()
+                .getExecuteCommandProvider()
+                .getCommands();
+    }
+
+    @Test
+    void whatALensOffersIsThere() {
+        assertThat(ofServer())
+                .containsExactlyInAnyOrder(VerdictLenses.SHOW, VerdictLenses.RUN)
+                .allSatisfy(each -> assertThat(commands()).contains(each));
+    }
+
+    /** What needs words that only a lens has is offered nowhere else. */
+    @Test
+    void thePageNamesWhatThePaletteOffers() throws IOException {
+        List<String> titles = new ArrayList<>();
+        for (JsonNode each : contributes.get("commands")) {
+            if (!ofServer().contains(each.get("command").textValue())) {
+                titles.add("Arcomat: " + each.get("title").textValue());
+            }
+        }
+        List<String> hidden = new ArrayList<>();
+        for (JsonNode each : contributes.get("menus").get("commandPalette")) {
+            if (each.get("when").textValue().equals("false")) {
+                hidden.add(each.get("command").textValue());
+            }
+        }
+        assertThat(hidden).containsExactlyInAnyOrderElementsOf(ofServer());
+        String page = Files.readString(Path.of("docs/editors.md"));
+        List<String> told =
+                ROW.matcher(page).results().map(row -> row.group(1)).collect(Collectors.toList());
+        assertThat(told).isEqualTo(titles);
+    }
+
+    /** Those of the tool that know models of others are told of them. */
+    @Test
+    void commandsAreToldOfLibraries() throws Exception {
+        Matcher reading = READING.matcher(code());
+        assertThat(reading.find()).isTrue();
+        Set<String> commands = new TreeSet<>();
+        WORD.matcher(reading.group(1)).results().forEach(each -> commands.add(each.group(1)));
+        for (String each : commands) {
+            assertThat(help(each)).as(each).contains("--library=DIR");
+        }
+        assertThat(help("run-brick")).doesNotContain("--library");
+        assertThat(all(CALLED, code()))
+                .allSatisfy(
+                        each ->
+                                assertThat(help(each).contains("--library=DIR"))
+                                        .as(each)
+                                        .isEqualTo(commands.contains(each)));
+    }
+
+    private static String help(String command) {
+        StringWriter out = new StringWriter();
+        try {
+            Embedded.run(
+                    FOLDER.toAbsolutePath(),
+                    new PrintWriter(out),
+                    new PrintWriter(Writer.nullWriter()),
+                    command,
+                    "--help");
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+        return out.toString();
     }
 
     @Test

@@ -95,7 +95,8 @@ class SplitRunsTest {
     private Optional<RareEvent> split(Engine engine) throws WrongUse {
         Freight freight = new Freight("1", TEXT, "", true, 300, Map.of());
         PrepareCampaign.Ready ready =
-                new PrepareCampaign.Ready(CAMPAIGN, "a.world", freight, CoverageItems.NONE);
+                new PrepareCampaign.Ready(
+                        CAMPAIGN, "a.world", freight, CoverageItems.NONE, List.of());
         return Session.in(folder, Progress.NONE).run(new SplitRuns(ready, content -> engine));
     }
 

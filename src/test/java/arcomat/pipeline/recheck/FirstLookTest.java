@@ -34,7 +34,9 @@ class FirstLookTest {
                 SourceFile edited = edited(all.source(path).orElseThrow(), random);
                 OpenModels after = all.with(OpenModels.Edit.of(List.of(edited))).check(() -> {});
                 List<String> first =
-                        FirstLook.at(ROOT, edited, Guests.NONE).map(FirstLook::findings).stream()
+                        FirstLook.at(ROOT, edited, Guests.NONE, LibraryModels.NONE)
+                                .map(FirstLook::findings)
+                                .stream()
                                 .flatMap(List::stream)
                                 .map(FirstLookTest::text)
                                 .toList();

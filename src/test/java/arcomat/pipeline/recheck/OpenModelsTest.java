@@ -2,6 +2,7 @@ package arcomat.pipeline.recheck;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -29,41 +30,55 @@ class OpenModelsTest {
     private static final int FILES = 30;
     private static final int ROUNDS = 25;
 
+    /** Rounds from one change of a library to the next. */
+    private static final int OF_OTHERS = 5;
+
     @Property(tries = 12)
     void findsWhatAFullCheckFinds(@ForAll long seed) throws IOException {
         Path folder = Files.createTempDirectory("open");
+        Path others = Files.createTempDirectory("others").toRealPath();
         try {
             Random random = new Random(seed);
+            List<Path> libraries = random.nextBoolean() ? List.of(others) : List.of();
+            EditedModels theirs = new EditedModels(others, random);
             EditedModels models = new EditedModels(folder, random);
             while (models.size() < FILES) {
                 models.add();
             }
             boolean executable = random.nextBoolean();
             OpenModels open = OpenModels.in(folder, executable);
+            Session session =
+                    Session.in(folder, Progress.NONE)
+                            .with(libraries.stream().map(Path::toString).toList());
             StringBuilder what = new StringBuilder("at first");
             for (int round = 0; round < ROUNDS; round++) {
+                if (round % OF_OTHERS == 0) {
+                    what.append(theirs.add()).append(theirs.edit()).append(theirs.add());
+                    open = open.referringTo(LibraryModels.in(libraries, Guests.NONE));
+                }
                 open = open.with(edit(open, folder));
                 if (random.nextBoolean()) {
-                    open = checkSome(open, random, folder, executable, what.toString());
+                    open = checkSome(open, random, session, executable, what.toString());
                 }
                 // Not every edit is checked: some are followed by the next too soon.
                 if (round == 0 || random.nextInt(3) > 0) {
                     open = open.check(() -> {});
                     assertThat(found(open))
                             .as(what.toString())
-                            .isEqualTo(found(folder, executable));
+                            .isEqualTo(found(session, executable));
                     what.setLength(0);
                 }
                 what.append(models.edit()).append("; ");
             }
         } finally {
             IncrementalCheckTest.delete(folder);
+            IncrementalCheckTest.delete(others);
         }
     }
 
     /** What is not due is known as well as after a check of all. */
     private static OpenModels checkSome(
-            OpenModels open, Random random, Path folder, boolean executable, String what) {
+            OpenModels open, Random random, Session session, boolean executable, String what) {
         int share = random.nextInt(4);
         OpenModels checked = open.check(path -> path.hashCode() % 4 < share, () -> {});
         Set<String> due = checked.due();
@@ -71,7 +86,7 @@ class OpenModelsTest {
                 .as("in part, " + what)
                 .isEqualTo(
                         text(
-                                findings(folder, executable).stream()
+                                findings(session, executable).stream()
                                         .filter(each -> !due.contains(path(each)))));
         return checked;
     }
@@ -110,13 +125,12 @@ class OpenModelsTest {
         return open.checkedPaths().stream().flatMap(path -> open.findings(path).stream());
     }
 
-    private static String found(Path folder, boolean executable) {
-        return text(findings(folder, executable).stream());
+    private static String found(Session session, boolean executable) {
+        return text(findings(session, executable).stream());
     }
 
-    private static List<Diagnostic> findings(Path folder, boolean executable) {
+    private static List<Diagnostic> findings(Session session, boolean executable) {
         try {
-            Session session = Session.in(folder, Progress.NONE);
             return session.run(new CheckFiles(List.of("."), executable)).findings();
         } catch (WrongUse e) {
             throw new AssertionError(e);

@@ -4,6 +4,7 @@ import arcomat.campaign.coverage.Coverage;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
@@ -63,6 +64,8 @@ import java.util.function.Function;
                     + " 2 wrong use."
         })
 public final class CampaignCommand extends Command {
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Parameters(
             paramLabel = "FILE.campaign",
             description = "The campaign; docs/campaigns.md tells how to write one.")
@@ -131,6 +134,11 @@ public final class CampaignCommand extends Command {
     @Mixin private ClusterOptions clusters = new ClusterOptions();
 
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
+
+    @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
 
     @Override
     protected int run(Session session) throws WrongUse {
