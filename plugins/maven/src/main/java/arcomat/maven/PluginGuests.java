@@ -1,7 +1,5 @@
 package arcomat.maven;
 
-import arcomat.guest.Guest;
-
 import java.io.File;
 import java.io.IOException;
 import java.net.JarURLConnection;
@@ -17,7 +15,7 @@ import java.util.List;
  * as for other plugins that look at texts by rules.
  */
 final class PluginGuests {
-    private static final String SERVICE = "META-INF/services/" + Guest.class.getName();
+    private static final String SERVICE = "META-INF/services/arcomat.guest.Guest";
 
     private PluginGuests() {}
 
