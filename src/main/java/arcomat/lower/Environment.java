@@ -5,6 +5,7 @@ import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
+import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeSymbol;
 
@@ -22,7 +23,7 @@ record Environment(
         TypeSubstitution types,
         Map<String, Port> ports,
         Map<String, Parameter> parameters,
-        Map<String, Expression> arguments,
+        Map<ParameterSymbol, Expression> arguments,
         Map<String, Variable> constants,
         Map<String, Variable> variables) {
 
@@ -44,8 +45,10 @@ record Environment(
         return new Environment(types, ports, all, arguments, constants, variables);
     }
 
-    Environment withArguments(Map<String, Expression> values) {
-        return new Environment(types, ports, parameters, Map.copyOf(values), constants, variables);
+    Environment withArguments(Map<ParameterSymbol, Expression> more) {
+        Map<ParameterSymbol, Expression> all = new HashMap<>(arguments);
+        all.putAll(more);
+        return new Environment(types, ports, parameters, all, constants, variables);
     }
 
     Environment withConstants(List<Variable> more) {

@@ -79,7 +79,7 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
     @Override
     public Expression parameterRead(TypedExpression.ParameterRead read) {
         String name = read.parameter().name();
-        Expression argument = environment.arguments().get(name);
+        Expression argument = environment.arguments().get(read.parameter());
         return argument != null
                 ? argument
                 : new Expression.ParameterRead(known(environment.parameters(), name), span(read));
