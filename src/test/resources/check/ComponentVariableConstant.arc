@@ -2,15 +2,13 @@
 component Bad {
   port in Boolean tick, out Integer count;
 
-  Integer sum = 0, limit;
-//                 ~~~~~ error ARC0128: 'limit' is a constant and needs a value; if it changes, declare it as a 'variable' of the automaton
+  Integer sum, limit;
+//             ~~~~~ error ARC0128: 'limit' is written by no automaton of the component, so it is a constant and needs a value
 
   automaton {
     state counting;
     initial counting / {sum = 1};
-//                      ~~~ error ARC0128: 'sum' is a constant of the component and cannot be assigned; declare it as a 'variable' of the automaton
-    counting {tick == true} / {sum = sum + 1, count = sum};
-//                             ~~~ error ARC0128: 'sum' is a constant of the component and cannot be assigned; declare it as a 'variable' of the automaton
+    counting [sum < limit] {tick == true} / {sum = sum + 1, count = sum};
   }
 }
 
@@ -18,13 +16,38 @@ component Bad {
 component Good {
   port in Boolean tick, out Integer count;
 
-  Integer step = 1;
+  Integer step = 1, sum;
 
   automaton {
-    variable Integer sum = 0;
-
     state counting;
     initial counting;
     counting {tick == true} / {sum = sum + step, count = sum};
+  }
+}
+
+//// Compute.arc
+component Compute {
+  port in Boolean tick, out Integer count;
+
+  int sum;
+
+  compute {
+//~~~~~~~ warning ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
+    count = sum++;
+  }
+}
+
+//// Brand.arc
+component Brand {
+  port in Boolean tick, out Integer count;
+
+  var Integer sum;
+//            ~~~ error ARC0128: 'sum' is written by no automaton of the component, so it is a constant and needs a value
+
+  automaton {
+    variable Integer other = 0;
+    state counting;
+    initial counting;
+    counting {tick == true} / {other = sum};
   }
 }

@@ -65,10 +65,10 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                 .toList();
     }
 
-    /** What the guest that has a law with this code says about it, in Markdown. */
+    /** What the guest that has this code says about it, in Markdown. */
     public Optional<String> page(String code) {
         return guests.stream()
-                .filter(guest -> guest.laws().stream().anyMatch(law -> law.code().equals(code)))
+                .filter(guest -> guest.codes().contains(code))
                 .findFirst()
                 .map(guest -> guest.pages().apply(code).orElseGet(() -> noPage(guest, code)));
     }

@@ -3,6 +3,7 @@ package arcomat.guest;
 import arcomat.source.Span;
 import arcomat.tree.Name;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -13,6 +14,14 @@ import java.util.Optional;
 public interface BehaviourLanguage {
     /** What the behaviour begins with: a name that is no word of Arcomat's own. */
     String keyword();
+
+    /**
+     * The codes of what may be wrong with a text, as those of a guest's laws, each with a page:
+     * beside {@code ARC1203}, which stands for whatever has no code.
+     */
+    default List<String> codes() {
+        return List.of();
+    }
 
     /**
      * Says what a behaviour means.

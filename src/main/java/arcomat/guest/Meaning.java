@@ -5,6 +5,7 @@ import arcomat.source.Span;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * What a behaviour in a guest's language means: the elements of an automaton, as they would stand
@@ -14,12 +15,31 @@ import java.util.Locale;
 public final class Meaning {
     private final List<Piece> pieces = new ArrayList<>();
     private final List<Problem> problems = new ArrayList<>();
+    private Optional<Span> element = Optional.empty();
 
-    /** A piece of Arcomat's text, and what it stands for. */
-    public record Piece(Span place, String text) {}
+    /**
+     * A piece of Arcomat's text, and what it stands for.
+     *
+     * @param element that it is a part of; empty where pieces stand for themselves
+     */
+    public record Piece(Span place, String text, Optional<Span> element) {}
 
-    /** Something that is wrong with what somebody wrote. */
-    public record Problem(Span place, String message) {}
+    /**
+     * Something that is wrong with what somebody wrote.
+     *
+     * @param code of the language's own; empty where it has none for it
+     */
+    public record Problem(Optional<String> code, Span place, String message) {}
+
+    /**
+     * Begins an element: what reaches over several of the pieces to come has this place, and not
+     * all that lies between theirs. So an automaton's transition may be made of what stands far
+     * apart.
+     */
+    public Meaning element(Span place) {
+        element = Optional.of(place);
+        return this;
+    }
 
     /**
      * Adds elements of the automaton, or a part of one.
@@ -29,7 +49,7 @@ public final class Meaning {
      */
     public Meaning write(Span place, String text, Object... values) {
         String all = values.length == 0 ? text : String.format(Locale.ROOT, text, values);
-        pieces.add(new Piece(place, all));
+        pieces.add(new Piece(place, all, element));
         return this;
     }
 
@@ -40,7 +60,17 @@ public final class Meaning {
      *     small letter
      */
     public Meaning problem(Span place, String message) {
-        problems.add(new Problem(place, message));
+        problems.add(new Problem(Optional.empty(), place, message));
+        return this;
+    }
+
+    /**
+     * The same, with a code of {@link BehaviourLanguage#codes}, for which there is a page.
+     *
+     * @param message as above
+     */
+    public Meaning problem(String code, Span place, String message) {
+        problems.add(new Problem(Optional.of(code), place, message));
         return this;
     }
 

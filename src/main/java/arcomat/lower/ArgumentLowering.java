@@ -30,15 +30,15 @@ final class ArgumentLowering {
             List<Parameter> parameters,
             Environment declaring) {
         List<Expression> all = new ArrayList<>();
-        Map<ParameterSymbol, Expression> arguments = new HashMap<>();
+        Map<String, Expression> byName = new HashMap<>();
         for (int i = 0; i < parameters.size(); i++) {
             Parameter parameter = parameters.get(i);
             ParameterSymbol symbol = symbols.get(i);
             Optional<Typed> given = GivenArgument.find(written, symbol);
             Typed value = given.or(symbol::initial).orElseThrow();
-            Environment names = given.isPresent() ? user : declaring.withArguments(arguments);
+            Environment names = given.isPresent() ? user : declaring.withArguments(byName);
             all.add(new ExpressionLowering(names).lower(value, parameter.type()));
-            arguments.put(symbol, all.get(i));
+            byName.put(parameter.name(), all.get(i));
         }
         return all;
     }

@@ -32,7 +32,7 @@ final class AutomatonLowering {
      */
     AutomatonLowering(AutomatonSymbol symbol, Environment outer) {
         this.symbol = symbol;
-        this.variables = VariableLowering.lower(symbol.variables(), outer);
+        this.variables = VariableLowering.lower(symbol.memory(), outer);
         this.environment = outer.withVariables(variables);
         this.expressions = new ExpressionLowering(environment);
         this.values = new ValueLowering(expressions);

@@ -12,6 +12,7 @@ import arcomat.symbols.bodies.Delays;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.TypeSubstitution;
 
 import java.util.ArrayDeque;
@@ -88,7 +89,7 @@ final class ComponentLowering {
         Environment types = Environment.of(instantiation.substitution());
         List<Parameter> parameters = parameters(symbol.parameters(), types);
         Environment outer = SuperArguments.settle(symbol, types.withParameters(parameters));
-        List<Variable> constants = VariableLowering.lower(symbol.signature().variables(), outer);
+        List<Variable> constants = VariableLowering.lower(constants(symbol), outer);
         Environment inside = outer.withConstants(constants).withPorts(ports);
         environments.put(instantiation, inside);
         List<Automaton> automata = automata(symbol, inside);
@@ -114,6 +115,12 @@ final class ComponentLowering {
                 refines(symbol),
                 InvariantLowering.lower(symbol, body, inside),
                 symbol.node().span());
+    }
+
+    private static List<VariableSymbol> constants(ComponentSymbol symbol) {
+        List<VariableSymbol> constants = new ArrayList<>(symbol.signature().variables());
+        constants.removeAll(symbol.fields());
+        return constants;
     }
 
     private static List<Automaton> automata(ComponentSymbol symbol, Environment environment) {

@@ -44,11 +44,13 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
         return value;
     }
 
+    /** A variable of the component that is no constant of it is one of its automaton. */
     Variable variable(VariableSymbol symbol) {
-        return switch (symbol.kind()) {
-            case AUTOMATON -> known(environment.variables(), symbol.name());
-            case COMPONENT -> known(environment.constants(), symbol.name());
-        };
+        Variable constant =
+                symbol.kind() == VariableSymbol.Kind.COMPONENT
+                        ? environment.constants().get(symbol.name())
+                        : null;
+        return constant == null ? known(environment.variables(), symbol.name()) : constant;
     }
 
     @Override
@@ -78,8 +80,12 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
 
     @Override
     public Expression parameterRead(TypedExpression.ParameterRead read) {
+        Expression settled = environment.settled().get(read.parameter());
+        if (settled != null) {
+            return settled;
+        }
         String name = read.parameter().name();
-        Expression argument = environment.arguments().get(read.parameter());
+        Expression argument = environment.arguments().get(name);
         return argument != null
                 ? argument
                 : new Expression.ParameterRead(known(environment.parameters(), name), span(read));

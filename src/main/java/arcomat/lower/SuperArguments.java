@@ -8,7 +8,6 @@ import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.signatures.Signature;
 
 import java.util.List;
-import java.util.Map;
 
 /**
  * What components give to the parameters of those that they extend: {@code component Fast extends
@@ -41,7 +40,7 @@ final class SuperArguments {
             Expression lowered =
                     new ExpressionLowering(current)
                             .lower(value, current.type(parameter.type()));
-            current = current.withArguments(Map.of(parameter, lowered));
+            current = current.withSettled(parameter, lowered);
         }
         return current;
     }

@@ -59,7 +59,8 @@ final class TypeLowering {
     /** Its messages differ in one text, which no model reads. */
     private static Type.ClassType opaque(OpaqueSymbol symbol) {
         return new Type.ClassType(
-                symbol.qualifiedName(), List.of(new Type.Attribute(OpaqueSymbol.NAME, new Type.StringType())));
+                symbol.qualifiedName(),
+                List.of(new Type.Attribute(OpaqueSymbol.NAME, new Type.StringType())));
     }
 
     private static Type builtin(BuiltinType type) {

@@ -19,7 +19,8 @@ final class VariableLowering {
         for (VariableSymbol symbol : symbols) {
             Variable variable = lower(symbol, current);
             variables.add(variable);
-            if (symbol.kind() == VariableSymbol.Kind.COMPONENT) {
+            if (symbol.kind()
+                    == VariableSymbol.Kind.COMPONENT) { // no law lets a field be read here
                 current = current.withConstants(List.of(variable));
             }
         }

@@ -52,6 +52,7 @@ class PicturesTest {
                         new ComparedSides(
                                 "coffee.fig6.AvoidCrash", "coffee.fig5.AvoidCrash", ignore, ignore),
                         new Prover.Engine(),
+                        Optional.empty(),
                         Optional.of(DRAWN.resolve("refines.svg").toString()),
                         MODELS,
                         new AnalysisLimits(Optional.empty(), Optional.empty())));

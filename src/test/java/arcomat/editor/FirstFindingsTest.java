@@ -30,6 +30,9 @@ class FirstFindingsTest {
             }
             """;
 
+    /** More files than are taken over in one step. */
+    private static final int MANY = 100;
+
     @TempDir private Path folder;
     private final Desk desk = new Desk();
 
@@ -70,6 +73,37 @@ class FirstFindingsTest {
         assertThat(desk.checkSome(() -> {})).isFalse();
         assertThat(models().due()).isEmpty();
         assertThat(codes(models().findings("p/Other.arc"))).containsExactly("ARC0207");
+    }
+
+    @Test
+    void ofAFileThatIsOpenedWhileTheOthersAreRead() throws IOException {
+        for (int i = 0; i < MANY; i++) {
+            Files.writeString(place("Other" + i), "package p;\n\ncomponent Other" + i + " {}\n");
+        }
+        Desk late = new Desk();
+        late.add(folder);
+        assertThat(late.readSome()).isTrue();
+        late.open(place("Whole"), WHOLE);
+        assertThat(late.firstLook(place("Whole"))).isPresent();
+        assertThat(late.readSome()).isTrue();
+        assertThat(late.firstLook(place("Whole"))).isPresent();
+        late.checkScreen(() -> {});
+        assertThat(late.readSome()).isFalse();
+        OpenModels all = late.models().iterator().next();
+        assertThat(all.paths()).hasSize(MANY + 3);
+        assertThat(codes(all.findings("p/Whole.arc"))).containsExactly("ARC0103");
+    }
+
+    /** Those without a package come first by their names, and last to their root. */
+    @Test
+    void filesComeToTheRootToWhichTheyComeAllAtOnce() throws IOException {
+        Path beside = Files.createDirectory(folder.resolve("beside"));
+        for (int i = 0; i < MANY; i++) {
+            Files.writeString(beside.resolve("Free" + i + ".arc"), "component Free" + i + " {}\n");
+        }
+        Desk fresh = new Desk();
+        fresh.add(folder);
+        assertThat(fresh.models()).extracting(OpenModels::root).containsExactly(folder);
     }
 
     private OpenModels models() {

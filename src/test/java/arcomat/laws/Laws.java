@@ -21,7 +21,8 @@ final class Laws {
                     new EnginesAgree(),
                     new MonaAgrees(),
                     new InvariantsAsTheReference(),
-                    new WhyNothingFired());
+                    new WhyNothingFired(),
+                    new MapsAsDefined());
 
     private Laws() {}
 }

@@ -14,6 +14,7 @@ import java.util.Optional;
 final class RefinesTool implements Tool {
     private static final String LEFT = "left";
     private static final String RIGHT = "right";
+    private static final String MAP = "map";
     private static final String COMPLETION = "completion";
 
     @Override
@@ -41,6 +42,11 @@ final class RefinesTool implements Tool {
                         COMPLETION,
                         "What both do where no transition fits, instead of what the models say:"
                                 + " LEFT,RIGHT, each chaos, output, ignore or error."),
+                ToolParameter.text(
+                        MAP,
+                        "Where their ports differ: a component, p.Adapter, whose components Inputs"
+                                + " and Outputs say how those of the left stand for those of the"
+                                + " right."),
                 ToolParameter.paths());
     }
 
@@ -52,7 +58,12 @@ final class RefinesTool implements Tool {
         AnalysisLimits limits = new AnalysisLimits(Optional.of(call.seconds()), Optional.empty());
         ProveRefinement question =
                 new ProveRefinement(
-                        sides, new Prover.Engine(), Optional.empty(), call.paths(), limits);
+                        sides,
+                        new Prover.Engine(),
+                        told.text(MAP),
+                        Optional.empty(),
+                        call.paths(),
+                        limits);
         return ToolAnswer.of(
                 call.session().run(question), answered -> VerdictJson.render(answered.verdict()));
     }

@@ -94,7 +94,7 @@ public final class Refinement {
     }
 
     /** Fails as briefly as possible; holds only if all do, with what there is to say of each. */
-    static Verdict all(List<Verdict> verdicts) {
+    public static Verdict all(List<Verdict> verdicts) {
         if (verdicts.size() == 1) {
             return verdicts.get(0);
         }

@@ -109,7 +109,7 @@ public record Verdict(
     }
 
     /** With one more note. */
-    Verdict with(String note) {
+    public Verdict with(String note) {
         List<String> more = Stream.concat(notes.stream(), Stream.of(note)).toList();
         return new Verdict(answer, reason, simulation, trace, explanation, more, explored);
     }

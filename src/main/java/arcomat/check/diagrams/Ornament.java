@@ -31,8 +31,7 @@ record Ornament(Span place, String words) {
             definition
                     .arguments()
                     .forEach(
-                            each ->
-                                    found.add(of(each, "the values of '" + each.constant() + "'")));
+                            each -> found.add(of(each, "the values of '" + each.constant() + "'")));
         }
         found.sort(Comparator.comparingInt(each -> each.place().start()));
         return found;

@@ -40,7 +40,9 @@ public final class Connections {
      * connected, and nothing should be said about those that seem not to be.
      */
     public static boolean areUnclear(ComponentSymbol component) {
-        if (lacksAncestor(component) || lacksPart(component)) {
+        if (lacksAncestor(component)
+                || lacksPart(component)
+                || !MeantParts.in(component).isEmpty()) {
             return true;
         }
         return component.connectors().stream()

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The ports of the parts of one component at which no connector ends.
+ * The ports of the parts of one component at which no connector ends. The parts of a map stand
+ * beside each other, and whoever asks connects them.
  *
  * @param unclear whether that cannot be told
  * @param used the keys of the ports at which one does
@@ -16,7 +17,7 @@ import java.util.Set;
 public record OpenPorts(boolean unclear, Set<String> used) {
 
     public static OpenPorts in(ComponentSymbol whole) {
-        boolean unclear = Connections.areUnclear(whole);
+        boolean unclear = whole.signature().isMap() || Connections.areUnclear(whole);
         return new OpenPorts(unclear, unclear ? Set.of() : Connections.usedKeys(whole));
     }
 

@@ -1,6 +1,7 @@
 package arcomat.check.naming;
 
 import arcomat.check.facts.Connections;
+import arcomat.check.facts.MeantParts;
 import arcomat.check.law.Check;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -69,7 +70,9 @@ public final class MemberNamesUnique implements Check.OnComponent {
             members.add(member("port", each.name(), each.nameSpan(), !each.implicit()));
         }
         for (VariableSymbol each : component.signature().ownVariables()) {
-            members.add(member("variable", each.name(), each.nameSpan(), true));
+            if (!MeantParts.isNamed(each.name(), component)) {
+                members.add(member("variable", each.name(), each.nameSpan(), true));
+            }
         }
         // A misspelled part may be meant to use an inner component that seems unused.
         boolean lacksPart = Connections.lacksPart(component);

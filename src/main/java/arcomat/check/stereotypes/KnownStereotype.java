@@ -49,6 +49,7 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
                     new KnownStereotype("cycle", Form.COUNT, COMPONENT, List.of()),
                     flag("platform", COMPONENT),
                     flag("deploy", COMPONENT),
+                    flag("map", COMPONENT),
                     flag("total", PORT),
                     new KnownStereotype("state", Form.MESSAGE, PORT, List.of()),
                     new KnownStereotype("breaks", Form.REASON, PROMISING, List.of()),

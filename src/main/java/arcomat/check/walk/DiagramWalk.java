@@ -11,8 +11,7 @@ import arcomat.symbols.names.EnumSymbol;
 import arcomat.tree.ClassDiagram;
 
 /** The part of the walk that goes through class diagrams. */
-record DiagramWalk(
-        Listeners listeners, StereotypeWalk stereotypes, ExpressionWalk expressions) {
+record DiagramWalk(Listeners listeners, StereotypeWalk stereotypes, ExpressionWalk expressions) {
 
     void classDiagram(DiagramSymbol diagram, Context context) {
         ClassDiagram node = diagram.node();
@@ -42,15 +41,13 @@ record DiagramWalk(
         }
         symbol.node().superClass().ifPresent(above -> expressions.type(above, context));
         for (ClassDiagram.Attribute attribute : symbol.node().attributes()) {
-            stereotypes.visit(
-                    attribute.stereotypes(), Carrier.ATTRIBUTE, attribute, context);
+            stereotypes.visit(attribute.stereotypes(), Carrier.ATTRIBUTE, attribute, context);
             expressions.type(attribute.type(), context);
         }
     }
 
     private void association(ClassDiagram.Association association, Context context) {
-        stereotypes.visit(
-                association.stereotypes(), Carrier.ASSOCIATION, association, context);
+        stereotypes.visit(association.stereotypes(), Carrier.ASSOCIATION, association, context);
         expressions.type(association.left().type(), context);
         expressions.type(association.right().type(), context);
     }

@@ -40,8 +40,11 @@ public final class Desk {
 
     private final Set<Path> folders = new HashSet<>();
 
-    /** Those of the folders that nobody has looked into yet, in that order. */
+    /** Those of the folders that have not been read to their end yet, in that order. */
     private final Set<Path> unread = new LinkedHashSet<>();
+
+    /** The texts of the first of these, where somebody has begun to read them. */
+    private Optional<FilesToTake> reading = Optional.empty();
 
     /** Files in these that are on the screen already. */
     private final Set<Path> early = new LinkedHashSet<>();
@@ -71,24 +74,42 @@ public final class Desk {
 
     /** Reads what has been added. */
     private void read() {
-        if (unread.isEmpty()) {
-            return;
-        }
-        List<Path> added = List.copyOf(unread);
-        List<Path> open = List.copyOf(early);
-        unread.clear();
-        early.clear();
-        added.forEach(folder -> take(folder, open));
-        open.forEach(file -> write(file, Objects.requireNonNull(screen.get(file)).text()));
+        while (readSome()) {}
     }
 
     /**
-     * @param early files to be read though they are on the screen
+     * Reads some of what has been added, so that who comes in between has not to wait for all.
+     *
+     * @return whether there was something to be read
      */
-    private void take(Path folder, List<Path> early) {
+    public boolean readSome() {
+        if (unread.isEmpty()) {
+            return false;
+        }
+        Path folder = unread.iterator().next();
+        if (reading.isEmpty()) {
+            reading = Optional.of(new FilesToTake(texts(folder)));
+        }
+        FilesToTake files = reading.get();
+        files.some().ifPresentOrElse(roots::take, () -> haveRead(folder));
+        return true;
+    }
+
+    private void haveRead(Path folder) {
+        reading = Optional.empty();
+        unread.remove(folder);
+        if (unread.isEmpty()) {
+            List<Path> open = List.copyOf(early);
+            early.clear();
+            open.forEach(file -> write(file, Objects.requireNonNull(screen.get(file)).text()));
+        }
+    }
+
+    /** All models in a folder, but for those that have been on the screen before. */
+    private Map<Path, FileReader.Read> texts(Path folder) {
         FileFinder finder = new FileFinder(new PathNames(folder));
         finder.find(folder.toString());
-        read(
+        return texts(
                 finder.files().stream()
                         .map(FileFinder.Found::path)
                         .filter(file -> !isMade(folder, file))
@@ -96,11 +117,11 @@ public final class Desk {
                         .toList());
     }
 
-    private void read(List<Path> files) {
+    private static Map<Path, FileReader.Read> texts(List<Path> files) {
         Map<Path, FileReader.Read> read = new ConcurrentHashMap<>();
         files.parallelStream()
                 .forEach(file -> read.put(file, FileReader.read(file, file.toString())));
-        roots.take(new TreeMap<>(read));
+        return new TreeMap<>(read);
     }
 
     private static boolean isMade(Path folder, Path file) {
@@ -144,7 +165,7 @@ public final class Desk {
      */
     private void addNeighbours(Path root, Path file) {
         if (!root.equals(file.getParent()) && root.getParent() != null) {
-            take(root, List.of());
+            roots.take(texts(root));
         }
     }
 
@@ -204,7 +225,7 @@ public final class Desk {
                         .filter(file -> !screen.containsKey(file) && FileFinder.isModelFile(file))
                         .toList();
         roots.remove(others.stream().filter(file -> !Files.isRegularFile(file)).toList());
-        read(others.stream().filter(Files::isRegularFile).toList());
+        roots.take(texts(others.stream().filter(Files::isRegularFile).toList()));
     }
 
     /** What a question about a file is about; nothing where it is no model that could be read. */

@@ -122,11 +122,15 @@ final class Roots {
      */
     void take(Map<Path, FileReader.Read> files) {
         Map<Path, Change> changes = new TreeMap<>();
-        // Files that name their package say where the roots are.
-        files.entrySet().stream()
-                .sorted(Comparator.comparing(each -> packageName(each.getValue()).isEmpty()))
-                .forEach(each -> take(each.getKey(), each.getValue(), changes));
+        inOrder(files).forEach(each -> take(each.getKey(), each.getValue(), changes));
         apply(changes);
+    }
+
+    /** Files that name their package come first: they say where the roots are. */
+    static List<Map.Entry<Path, FileReader.Read>> inOrder(Map<Path, FileReader.Read> files) {
+        return files.entrySet().stream()
+                .sorted(Comparator.comparing(each -> packageName(each.getValue()).isEmpty()))
+                .toList();
     }
 
     private void take(Path file, FileReader.Read read, Map<Path, Change> changes) {

@@ -131,11 +131,21 @@ final class Worker {
     private void checkIfIdle() {
         checkIsQueued = false;
         try {
+            readAll();
             breakOffForScreen();
             checkScreen(this::breakOffForScreen);
             checkOthers();
         } catch (BrokenOff others) {
             checkLater();
+        }
+    }
+
+    /** Who opens a file meanwhile, as editors do when they have started, is asked for at once. */
+    private void readAll() {
+        while (desk.readSome()) {
+            if (!executor.getQueue().isEmpty()) {
+                throw new BrokenOff();
+            }
         }
     }
 

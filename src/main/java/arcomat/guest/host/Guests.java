@@ -24,8 +24,14 @@ public record Guests(LawBook laws, List<Language> languages) {
      * A language with the name of its guest.
      *
      * @param keyword what the language said it is, once
+     * @param codes what it said that it may find
      */
-    public record Language(String guest, String keyword, BehaviourLanguage translator) {}
+    public record Language(
+            String guest, String keyword, List<String> codes, BehaviourLanguage translator) {
+        public Language {
+            codes = List.copyOf(codes);
+        }
+    }
 
     /** The language that begins with a word. */
     public Optional<Language> language(String keyword) {

@@ -8,9 +8,9 @@ import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.PromiseReference;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Two components that are to be compared.
@@ -59,7 +59,16 @@ public record ComparedSides(
     }
 
     Asked asked() {
-        return Asked.components(List.of(left, right));
+        return asked(Optional.empty());
+    }
+
+    /**
+     * As above.
+     *
+     * @param further a component that is asked for, too
+     */
+    Asked asked(Optional<String> further) {
+        return Asked.components(Stream.concat(Stream.of(left, right), further.stream()).toList());
     }
 
     Promise left(LoweredModels models) throws WrongUse {

@@ -1,7 +1,6 @@
 package arcomat.pipeline.check;
 
 import arcomat.check.guest.GuestLaws;
-import arcomat.check.law.Law;
 import arcomat.pipeline.Session;
 
 import java.io.IOException;
@@ -60,9 +59,9 @@ public final class Explanations {
     public static SortedMap<String, String> titles(Session session) {
         SortedMap<String, String> titles = titles();
         for (GuestLaws guest : session.laws().guests()) {
-            for (Law law : guest.laws()) {
-                String page = guest.pages().apply(law.code()).orElse("");
-                titles.put(law.code(), title(page.lines().findFirst().orElse("")));
+            for (String code : guest.codes()) {
+                String page = guest.pages().apply(code).orElse("");
+                titles.put(code, title(page.lines().findFirst().orElse("")));
             }
         }
         return titles;

@@ -128,9 +128,18 @@ public final class ForeignBehaviours {
         } catch (TimeoutException e) {
             return failed(foreign, language.get(), "not done after " + LIMIT.toSeconds() + " s");
         }
+        Optional<String> unknown =
+                meaning.problems().stream()
+                        .flatMap(each -> each.code().stream())
+                        .filter(code -> !language.get().codes().contains(code))
+                        .findFirst();
+        if (unknown.isPresent()) {
+            String reason = "it has not said that it has a code '" + unknown.get() + "'";
+            return failed(foreign, language.get(), reason);
+        }
         for (Problem problem : meaning.problems()) {
             String message = problem.message() + " (guest '" + language.get().guest() + "')";
-            gap(foreign, Diagnostic.error(WRONG, problem.place(), message));
+            gap(foreign, Diagnostic.error(problem.code().orElse(WRONG), problem.place(), message));
         }
         return meaning.problems().isEmpty()
                 ? automaton(foreign, meaning, language.get())
@@ -140,9 +149,9 @@ public final class ForeignBehaviours {
     private Optional<Element> automaton(
             Behaviour.Foreign foreign, Meaning meaning, Language language) {
         List<Piece> pieces = new ArrayList<>();
-        pieces.add(new Piece(foreign.keyword().span(), "automaton {"));
+        pieces.add(own(foreign.keyword().span(), "automaton {"));
         pieces.addAll(meaning.pieces());
-        pieces.add(new Piece(foreign.span(), "}"));
+        pieces.add(own(foreign.span(), "}"));
         String path = foreign.span().file().path() + ".ioautomaton";
         TranslatedText text = TranslatedText.of(path, pieces);
         Parsed parsed = Parser.parse(text.file());
@@ -162,6 +171,10 @@ public final class ForeignBehaviours {
                                 foreign.stereotypes(),
                                 foreign.name(),
                                 made.elements())));
+    }
+
+    private static Piece own(Span place, String text) {
+        return new Piece(place, text, Optional.empty());
     }
 
     private static String line(Span place) {

@@ -133,19 +133,22 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                             + " hyphens, 40 at most",
                     path, name);
         }
-        return new Arrival(laws(name, guest.laws()), languages(name, guest.languages()));
+        List<Language> languages = languages(name, guest.languages());
+        return new Arrival(laws(name, guest.laws(), languages), languages);
     }
 
-    private GuestLaws laws(String name, List<Law> laws) throws WrongUse {
-        for (Law law : laws) {
-            if (!CODE.matcher(law.code()).matches()) {
+    private GuestLaws laws(String name, List<Law> laws, List<Language> languages) throws WrongUse {
+        List<String> others = languages.stream().flatMap(each -> each.codes().stream()).toList();
+        GuestLaws all = new GuestLaws(name, identity, laws, others, this::page);
+        for (String code : all.codes()) {
+            if (!CODE.matcher(code).matches()) {
                 throw new WrongUse(
                         "guest '%s' has a law with the code '%s'; the code of a guest has two to"
                                 + " eight capital letters, other than ARC, and four digits",
-                        name, law.code());
+                        name, code);
             }
         }
-        return new GuestLaws(name, identity, laws, this::page);
+        return all;
     }
 
     private static List<Language> languages(String name, List<BehaviourLanguage> brought)
@@ -159,7 +162,7 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                                 + " Arcomat's own words",
                         name, keyword);
             }
-            languages.add(new Language(name, keyword, each));
+            languages.add(new Language(name, keyword, each.codes(), each));
         }
         return languages;
     }

@@ -40,8 +40,9 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
         int start = Integer.MAX_VALUE;
         int end = 0;
         for (Piece piece : pieces.subMap(first.getKey(), true, last, true).values()) {
-            start = Math.min(start, piece.place().start());
-            end = Math.max(end, piece.place().end());
+            Span place = piece.element().orElse(piece.place());
+            start = Math.min(start, place.start());
+            end = Math.max(end, place.end());
         }
         return new Span(first.getValue().place().file(), start, end);
     }

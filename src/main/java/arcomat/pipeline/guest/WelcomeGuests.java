@@ -2,7 +2,6 @@ package arcomat.pipeline.guest;
 
 import arcomat.check.LawBook;
 import arcomat.check.guest.GuestLaws;
-import arcomat.check.law.Law;
 import arcomat.guest.host.Guests;
 import arcomat.guest.host.Guests.Language;
 import arcomat.pipeline.Session;
@@ -47,13 +46,13 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                 throw new WrongUse(
                         "two guests have the name '%s'; leave one of them out", guest.guest());
             }
-            for (Law law : guest.laws()) {
-                String other = owners.put(law.code(), guest.guest());
+            for (String code : guest.codes()) {
+                String other = owners.put(code, guest.guest());
                 if (other != null) {
                     throw new WrongUse(
                             "the code %s is that of two laws, of guest '%s' and of guest '%s';"
                                     + " leave one of them out",
-                            law.code(), other, guest.guest());
+                            code, other, guest.guest());
                 }
             }
         }

@@ -24,6 +24,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 
 /** An automaton with its states, variables, transitions and the interface it works on. */
 public final class AutomatonSymbol {
@@ -60,6 +62,7 @@ public final class AutomatonSymbol {
     private final ValueScope constants;
     private final Lazy<List<PortSymbol>> declaredPorts = new Lazy<>(this::makePorts);
     private final Lazy<List<VariableSymbol>> variables = new Lazy<>(this::makeVariables);
+    private final Lazy<List<VariableSymbol>> fields = new Lazy<>(this::makeFields);
     private final Lazy<Map<String, StateSymbol>> statesByName = new Lazy<>(this::firstByName);
     private final Lazy<ItemScope> itemScope = new Lazy<>(this::makeItemScope);
     private final Lazy<List<StateSymbol>> states = new Lazy<>(this::makeStates);
@@ -122,9 +125,22 @@ public final class AutomatonSymbol {
         return declaredPorts.get();
     }
 
-    /** Variables of the automaton itself. */
+    /** Variables that are declared in the automaton itself. */
     public List<VariableSymbol> variables() {
         return variables.get();
+    }
+
+    /**
+     * Variables of the component that this automaton writes somewhere, and so keeps as its own.
+     * Those that it only reads are constants.
+     */
+    public List<VariableSymbol> fields() {
+        return fields.get();
+    }
+
+    /** All that it remembers from step to step. */
+    public List<VariableSymbol> memory() {
+        return Stream.concat(fields().stream(), variables().stream()).toList();
     }
 
     private List<PortSymbol> makePorts() {
@@ -168,6 +184,19 @@ public final class AutomatonSymbol {
         return List.copyOf(all);
     }
 
+    /** A field that has the name of a port or of a variable here is hidden by that. */
+    private List<VariableSymbol> makeFields() {
+        if (component.isEmpty()) {
+            return List.of();
+        }
+        Set<String> written = AssignedNames.in(node);
+        ports().forEach(port -> written.remove(port.name()));
+        variables().forEach(variable -> written.remove(variable.name()));
+        return component.get().signature().variables().stream()
+                .filter(variable -> written.remove(variable.name()))
+                .toList();
+    }
+
     /** What guards and item values may name: ports, variables, constants, parameters. */
     public ValueScope scope() {
         return itemScope.get().values();
@@ -177,7 +206,7 @@ public final class AutomatonSymbol {
     private ItemScope makeItemScope() {
         List<PortSymbol> ports = ports();
         ValueScope values = constants.with(variables()).with(ports);
-        return new ItemScope(ports, variables(), values);
+        return new ItemScope(ports, memory(), values);
     }
 
     // ---- states and transitions -----------------------------------------------------------

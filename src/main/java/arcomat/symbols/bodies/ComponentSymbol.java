@@ -4,6 +4,7 @@ import arcomat.source.Span;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
+import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
@@ -186,6 +187,14 @@ public final class ComponentSymbol {
     /** The tables that hold for it, by the rule of {@link #automata}. */
     public List<TableSymbol> tables() {
         return behaviourOwner().ownTables();
+    }
+
+    /**
+     * The variables of the component that one of its automata writes: with that automaton they
+     * change. All others are constants.
+     */
+    public List<VariableSymbol> fields() {
+        return automata().stream().flatMap(each -> each.fields().stream()).distinct().toList();
     }
 
     /** The component whose behaviour holds for this one. */

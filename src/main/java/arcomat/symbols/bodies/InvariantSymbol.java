@@ -4,6 +4,7 @@ import arcomat.source.Span;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.BuiltinType;
@@ -93,6 +94,10 @@ public final class InvariantSymbol {
                 return Optional.of("several automata have a variable '" + name + "'");
             }
         }
+        Optional<String> hidden = component.isDecomposed() ? changing(condition) : Optional.empty();
+        if (hidden.isPresent()) {
+            return hidden.map(name -> "'" + name + "' changes in an automaton that does not run");
+        }
         if (!condition.problems().isEmpty()) {
             return hasUnknownParts()
                     ? Optional.empty()
@@ -102,6 +107,23 @@ public final class InvariantSymbol {
         return isNoTruth
                 ? Optional.of("it has type " + condition.type().text() + ", not Boolean")
                 : Optional.empty();
+    }
+
+    /** A variable of the component in it that is no constant. */
+    private Optional<String> changing(Typed condition) {
+        Set<String> read = new HashSet<>();
+        condition
+                .expression()
+                .walk(
+                        part -> {
+                            if (part instanceof TypedExpression.VariableRead variable) {
+                                read.add(variable.variable().name());
+                            }
+                        });
+        return component.fields().stream()
+                .map(VariableSymbol::name)
+                .filter(read::contains)
+                .findFirst();
     }
 
     /** Then names may be those of what did not parse, or was reported elsewhere. */

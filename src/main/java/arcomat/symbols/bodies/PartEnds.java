@@ -54,7 +54,8 @@ final class PartEnds {
         }
         return written.namesPart()
                 ? written.instance().stream()
-                        .flatMap(part -> part.ports().stream().map(port -> end(written, part, port)))
+                        .flatMap(
+                                part -> part.ports().stream().map(port -> end(written, part, port)))
                 : Stream.empty();
     }
 
@@ -77,7 +78,9 @@ final class PartEnds {
     }
 
     private static boolean areNamedAlike(Ends ends) {
-        return ends.source().port().map(PortSymbol::name)
+        return ends.source()
+                .port()
+                .map(PortSymbol::name)
                 .equals(ends.target().port().map(PortSymbol::name));
     }
 }

@@ -7,13 +7,13 @@ import arcomat.tree.Variable;
 
 import java.util.function.BiFunction;
 
-/** A variable of an automaton, or a variable of a component that its automata share. */
+/** A variable of an automaton, or a variable of a component beside its automata. */
 public final class VariableSymbol extends DeclaredValue {
     /** Where a variable is declared. */
     public enum Kind {
         /** Read and written by its automaton. */
         AUTOMATON,
-        /** A constant for the automata of the component. */
+        /** Read and written by the automaton that writes it; a constant where none does. */
         COMPONENT
     }
 

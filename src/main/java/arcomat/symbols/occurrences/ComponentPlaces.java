@@ -218,7 +218,8 @@ final class ComponentPlaces implements Element.Visitor {
                 .filter(port -> end.status() != Status.COMPLETED)
                 .ifPresent(
                         port -> places.add(written.last().span(), new Referent.Port(port), role));
-        boolean namesPart = !written.isSimple()
+        boolean namesPart =
+                !written.isSimple()
                         || end.status() == Status.NO_SUCH_PORT
                         || end.status() == Status.COMPLETED;
         if (namesPart) {

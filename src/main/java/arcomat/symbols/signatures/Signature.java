@@ -131,6 +131,11 @@ public final class Signature {
         return node().isDeploy() || Stereotype.find(stereotypes(), "deploy").isPresent();
     }
 
+    /** Says how the ports of one component stand for those of another: {@code <<map>>}. */
+    public boolean isMap() {
+        return Stereotype.find(stereotypes(), "map").isPresent();
+    }
+
     /** The layer it belongs to; logic where none, or none that is known, is written. */
     public Layer layer() {
         return Stereotype.find(stereotypes(), "layer")

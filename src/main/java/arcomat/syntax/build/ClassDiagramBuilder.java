@@ -94,8 +94,7 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
                 phrases.name(context.name()));
     }
 
-    private List<TypeReference> implemented(
-            ArcomatParser.@Nullable ImplementedContext context) {
+    private List<TypeReference> implemented(ArcomatParser.@Nullable ImplementedContext context) {
         return context == null ? List.of() : phrases.types(context.type());
     }
 

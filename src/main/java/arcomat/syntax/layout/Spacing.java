@@ -39,7 +39,8 @@ final class Spacing {
                     !structure.opensBody(token)
                             && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "-", "+" -> isSign(parent);
-            case "<" -> isBracket(parent) || parent instanceof ArcomatParser.AssociationArrowContext;
+            case "<" ->
+                    isBracket(parent) || parent instanceof ArcomatParser.AssociationArrowContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };

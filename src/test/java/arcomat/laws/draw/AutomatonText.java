@@ -36,7 +36,7 @@ final class AutomatonText {
         lines.add(
                 "    <<completion = \"%s\"%s>> automaton%s {"
                         .formatted(completion(), omitted, name.isEmpty() ? "" : " " + name));
-        variables();
+        variables(name.isEmpty() && draw.chance(Features.FIELDS, 30));
         int states = draw.chance(10) ? 1 + draw.below(12) : 1 + draw.below(4);
         IntStream.range(0, states).forEach(i -> lines.add("        state s%d;".formatted(i)));
         initial(0);
@@ -67,7 +67,10 @@ final class AutomatonText {
         return draw.one(possible);
     }
 
-    private void variables() {
+    /**
+     * @param beside whether they stand in the component
+     */
+    private void variables(boolean beside) {
         if (draw.chance(35)) {
             String type = draw.one("Boolean", "Integer[0..2]", "Integer[0..2]", "Integer[-1..3]");
             if (draw.chance(Features.UNBOUNDED, 15)) {
@@ -75,7 +78,11 @@ final class AutomatonText {
             }
             String first = type.equals("Integer[-1..3]") ? "-1" : draw.one(Plug.messages(type));
             locals.add(new Local("n", type));
-            lines.add("        variable %s n = %s;".formatted(type, first));
+            if (beside) {
+                lines.add(0, "    var %s n = %s;".formatted(type, first));
+            } else {
+                lines.add("        variable %s n = %s;".formatted(type, first));
+            }
         }
     }
 

@@ -20,7 +20,9 @@ public enum Features {
     /** Components that are made of parts. */
     COMPOSITIONS,
     /** Messages and ports that an automaton leaves open. */
-    OPEN;
+    OPEN,
+    /** Variables of the component that its automaton writes. */
+    FIELDS;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

@@ -20,7 +20,8 @@ class GuestBuildsTest {
     @ParameterizedTest
     @CsvSource({
         "blink, tryLanguage, src/main/java/blink/Blink.java, equals(\"on\"), equals(\"off\")",
-        "lab, tryLaws, src/main/java/lab/PortSaysWhatIs.java, says what is not, says nothing"
+        "lab, tryLaws, src/main/java/lab/PortSaysWhatIs.java, says what is not, says nothing",
+        "statemachine, tryLanguage, src/main/java/statemachine/Entering.java, DEEP ?, SHALLOW ?"
     })
     void isBuiltAndTried(String guest, String task, String file, String good, String bad) {
         ConsumerProject project = ConsumerProject.published(Path.of("../../guests", guest), folder);

@@ -61,7 +61,7 @@ public final class TransitionsApart implements Check.OnAutomaton {
     private static BitSet reachedForSure(
             AutomatonSymbol automaton, List<List<TransitionSymbol>> outgoing) {
         boolean begins =
-                automaton.variables().stream()
+                automaton.memory().stream()
                         .flatMap(each -> each.initial().stream())
                         .allMatch(each -> SureTrigger.constant(each.expression()).isPresent());
         List<StateSymbol> starts =

@@ -41,8 +41,7 @@ public final class Items {
         if (target instanceof PortSymbol port) {
             return port.isInput() == input;
         }
-        return target instanceof VariableSymbol variable
-                && (input || variable.kind() == VariableSymbol.Kind.AUTOMATON);
+        return target instanceof VariableSymbol;
     }
 
     /** The name of an item, or the whole item where the name is left out. */
@@ -95,6 +94,14 @@ public final class Items {
             }
         }
         automaton.variables().forEach(variable -> names.add(variable.name()));
+        automaton
+                .component()
+                .ifPresent(
+                        component ->
+                                component
+                                        .signature()
+                                        .variables()
+                                        .forEach(variable -> names.add(variable.name())));
         return names;
     }
 

@@ -8,12 +8,9 @@ import arcomat.symbols.expressions.ValueSymbol;
 /** ARC0307: the output side sends on output ports and stores in variables. (Wor16 AR2) */
 public final class OutputSideWrites implements Check.OnItem {
 
-    /** Constants of the component are the business of ARC0128. */
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
-        if (item.side() != ItemSymbol.Side.INPUT
-                && Items.variable(item).isEmpty()
-                && !Items.isOnItsSide(item)) {
+        if (item.side() != ItemSymbol.Side.INPUT && !Items.isOnItsSide(item)) {
             item.target().found().ifPresent(target -> report(item, target, findings));
         }
     }

@@ -1,6 +1,7 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.facts.Connections;
+import arcomat.check.facts.MeantParts;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Behaviour;
@@ -18,6 +19,7 @@ public final class BehaviourPresent implements Check.OnComponent {
                         || !component.tables().isEmpty();
         boolean isExcused =
                 Connections.lacksAncestor(component)
+                        || !MeantParts.in(component).isEmpty()
                         || !component.node().elements(Element.JavaPart.class).isEmpty()
                         || !component.node().elements(Behaviour.Foreign.class).isEmpty();
         if (!hasBehaviour && !isExcused) {

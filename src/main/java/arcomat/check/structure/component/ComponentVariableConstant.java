@@ -1,44 +1,37 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.ItemSymbol.Side;
-import arcomat.symbols.expressions.ValueSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.expressions.VariableSymbol.Kind;
+import arcomat.tree.Behaviour;
+import arcomat.tree.Element;
 
-/**
- * ARC0128: a variable beside the automata of a component is a constant that they share: it has a
- * value, and nobody assigns it.
- */
-public final class ComponentVariableConstant implements Check.OnVariable, Check.OnItem {
+/** ARC0128: a variable of a component that no automaton writes is a constant, and has a value. */
+public final class ComponentVariableConstant implements Check.OnVariable {
 
     @Override
     public void check(VariableSymbol variable, Context context, Findings findings) {
         if (variable.kind() == Kind.COMPONENT
                 && variable.node().initial().isEmpty()
-                && !variable.type().isErroneous()) {
+                && !variable.type().isErroneous()
+                && !isWritten(variable, context.component().orElseThrow())) {
             findings.report(
                     variable.nameSpan(),
-                    "'%s' is a constant and needs a value; if it changes, declare it as a"
-                            + " 'variable' of the automaton",
+                    "'%s' is written by no automaton of the component, so it is a constant and"
+                            + " needs a value",
                     variable.name());
         }
     }
 
-    @Override
-    public void check(ItemSymbol item, Context context, Findings findings) {
-        ValueSymbol target = item.target().found().orElse(null);
-        if (item.hasName()
-                && context.side().orElseThrow() != Side.INPUT
-                && target instanceof VariableSymbol variable
-                && variable.kind() == Kind.COMPONENT) {
-            findings.report(
-                            item.node().name().orElseThrow(),
-                            "'%s' is a constant of the component and cannot be assigned; declare it"
-                                    + " as a 'variable' of the automaton",
-                            variable.name())
-                    .related(variable.nameSpan(), "the constant");
-        }
+    /** Perhaps by what nobody has read: then that is told. */
+    private static boolean isWritten(VariableSymbol variable, ComponentSymbol component) {
+        return component.ownAutomata().stream()
+                        .map(AutomatonSymbol::fields)
+                        .anyMatch(fields -> fields.contains(variable))
+                || !component.node().elements(Element.JavaPart.class).isEmpty()
+                || component.node().elements(Behaviour.Foreign.class).stream()
+                        .anyMatch(each -> each.automata().isEmpty());
     }
 }

@@ -1,6 +1,7 @@
 package arcomat.check.structure.connector;
 
 import arcomat.check.facts.Connections;
+import arcomat.check.facts.MeantParts;
 import arcomat.check.law.Check;
 import arcomat.source.Fix;
 import arcomat.source.Nearest;
@@ -66,6 +67,9 @@ public final class ConnectorEndExists implements Check.OnConnector {
 
     private static void reportInstance(ComponentSymbol component, End end, Findings findings) {
         String name = end.text().substring(0, end.text().indexOf('.'));
+        if (MeantParts.isNamed(name, component)) {
+            return; // told where it is declared
+        }
         List<String> candidates = component.instances().stream().map(InstanceSymbol::name).toList();
         Span span =
                 new Span(end.span().file(), end.span().start(), end.span().start() + name.length());

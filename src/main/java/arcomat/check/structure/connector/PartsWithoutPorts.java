@@ -21,6 +21,9 @@ final class PartsWithoutPorts {
     static void report(ConnectorSymbol connector, Findings findings) {
         End source = connector.source();
         End target = connector.target();
+        if (isUnknown(source) || isUnknown(target)) {
+            return;
+        }
         List<Ends> candidates = connector.candidates();
         if (source.namesPart() && target.namesPart()) {
             findings.report(source.span(), "%s", ofBoth(source, target, candidates));
@@ -38,10 +41,6 @@ final class PartsWithoutPorts {
     }
 
     private static String ofBoth(End source, End target, List<Ends> candidates) {
-        if (isExcused(source) || isExcused(target)) {
-            return "'%s' and '%s' are parts, not ports; connect their ports"
-                    .formatted(source.text(), target.text());
-        }
         if (candidates.isEmpty()) {
             return "no output of '%s' fits an input of '%s', so none can be connected; write ports"
                             .formatted(source.text(), target.text())
@@ -56,14 +55,15 @@ final class PartsWithoutPorts {
                         target.text(),
                         list(
                                 candidates.stream()
-                                        .map(each -> each.source().text() + " -> " + each.target().text())
+                                        .map(
+                                                each ->
+                                                        each.source().text()
+                                                                + " -> "
+                                                                + each.target().text())
                                         .toList()));
     }
 
     private static String ofOne(End part, End other, List<End> candidates) {
-        if (isExcused(part) || !other.isResolved()) {
-            return "'%s' is a part, not a port; connect one of its ports".formatted(part.text());
-        }
         if (candidates.isEmpty()) {
             return "'%s' is a part, and none of its ports fits '%s'; connect one that does"
                     .formatted(part.text(), other.text());
@@ -78,9 +78,11 @@ final class PartsWithoutPorts {
                         list(candidates.stream().map(End::text).toList()));
     }
 
-    /** Whether nobody knows its ports. */
-    private static boolean isExcused(End part) {
-        return part.instance().orElseThrow().component().isEmpty();
+    /** Whether another law tells of the end, or of the component of its part. */
+    private static boolean isUnknown(End end) {
+        return end.namesPart()
+                ? end.instance().orElseThrow().component().isEmpty()
+                : !end.isResolved();
     }
 
     private static String list(List<String> names) {

@@ -1,5 +1,6 @@
 package arcomat.check.structure.reference;
 
+import arcomat.check.facts.MeantParts;
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
 import arcomat.check.naming.JavaClassUnique;
@@ -21,7 +22,7 @@ public final class TypeExists implements Check.OnType {
     @Override
     public void check(TypeReference type, Context context, Findings findings) {
         Resolution<TypeSymbol> resolution = context.resolve(type);
-        if (resolution.isUnknown()) {
+        if (resolution.isUnknown() && !isMeantAsPart(type, context)) {
             reportUnknown(type, context, findings);
         } else if (resolution.isAmbiguous() && !areDuplicates(resolution.candidates())) {
             findings.report(
@@ -38,6 +39,13 @@ public final class TypeExists implements Check.OnType {
             findings.report(
                     type, "'%s' is no message type; %s", unsupported.text(), unsupported.advice());
         }
+    }
+
+    /** The business of ARC0142. */
+    private static boolean isMeantAsPart(TypeReference type, Context context) {
+        return context.component().isPresent()
+                && MeantParts.in(context.component().get()).stream()
+                        .anyMatch(each -> each.type() == type);
     }
 
     /** Definitions of one full name are the business of {@link JavaClassUnique}. */

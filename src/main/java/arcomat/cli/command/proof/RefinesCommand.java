@@ -30,6 +30,7 @@ import java.util.Optional;
             "  arcomat refines p.Robot 'p.Robot#waits' models    one automaton of several",
             "  arcomat refines --diagram failure.svg p.New p.Old models    draws a counterexample",
             "  arcomat refines --engine mona p.New p.Old models    a second opinion",
+            "  arcomat refines --map p.Adapter p.Wheels p.Drive models    with other ports",
             "  arcomat refines --report build/refines p.New p.Old models    to look at",
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
@@ -71,6 +72,15 @@ public final class RefinesCommand extends ComparisonCommand<Answered> {
             description = "Where it fails, draw how: an .svg or .png file.")
     private String diagram;
 
+    @Option(
+            names = "--map",
+            paramLabel = "COMPONENT",
+            description = {
+                "Where A and B have different ports: how those of A stand for those of B, by its",
+                "components Inputs and Outputs."
+            })
+    private String map;
+
     @Mixin private PageOption report = new PageOption();
 
     @Override
@@ -80,10 +90,21 @@ public final class RefinesCommand extends ComparisonCommand<Answered> {
                     "--verify-certificate searches nothing, so there is nothing to write for"
                             + " --certificate; leave one of them out");
         }
+        boolean plain = engine == Engine.arcomat && certificate == null && doubted == null;
+        if (map != null && !plain) {
+            throw new WrongUse(
+                    "--map asks the engine of this tool, and has no certificates yet; leave one of"
+                            + " them out");
+        }
         report.prepare(session);
         Prover prover = prover();
         return new ProveRefinement(
-                sides(), prover, Optional.ofNullable(diagram), paths(), limits());
+                sides(),
+                prover,
+                Optional.ofNullable(map),
+                Optional.ofNullable(diagram),
+                paths(),
+                limits());
     }
 
     private Prover prover() throws WrongUse {

@@ -99,7 +99,9 @@ record KnownValues(WritingPlace place) {
                                                 automaton.isEmpty()
                                                         ? each.ports().stream()
                                                         : Stream.empty(),
-                                                each.parameters().stream()));
+                                                Stream.concat(
+                                                        each.parameters().stream(),
+                                                        each.signature().variables().stream())));
         return Stream.concat(inside, around);
     }
 }

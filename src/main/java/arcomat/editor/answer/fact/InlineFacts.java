@@ -108,8 +108,7 @@ public final class InlineFacts {
                 .ifPresent(
                         hint -> {
                             Position place = hint.getPosition();
-                            hint.setTextEdits(
-                                    List.of(new TextEdit(new Range(place, place), port)));
+                            hint.setTextEdits(List.of(new TextEdit(new Range(place, place), port)));
                             hint.setPaddingRight(false);
                         });
     }

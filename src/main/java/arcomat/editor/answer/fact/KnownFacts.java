@@ -131,10 +131,19 @@ record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<S
 
     @Override
     public List<String> variable(Referent.Variable variable) {
+        if (variable.symbol().kind() == VariableSymbol.Kind.AUTOMATON) {
+            return List.of("a variable of the automaton");
+        }
         return List.of(
-                variable.symbol().kind() == VariableSymbol.Kind.AUTOMATON
-                        ? "a variable of the automaton"
+                isField(variable.symbol())
+                        ? "a variable of the component: its automaton writes it"
                         : "a constant of the component");
+    }
+
+    private boolean isField(VariableSymbol variable) {
+        return models.workspace().components().stream()
+                .filter(each -> each.signature().variables().contains(variable))
+                .anyMatch(each -> each.fields().contains(variable));
     }
 
     @Override

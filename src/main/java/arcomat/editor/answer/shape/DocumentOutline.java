@@ -55,9 +55,7 @@ public final class DocumentOutline {
         return OutlineEntry.of(
                 new Referent.Type(type),
                 type.node().span(),
-                type instanceof EnumSymbol constants
-                        ? constants(constants)
-                        : attributes(type));
+                type instanceof EnumSymbol constants ? constants(constants) : attributes(type));
     }
 
     private static Stream<OutlineEntry> constants(EnumSymbol type) {

@@ -3,6 +3,7 @@ package arcomat.editor.answer.shape;
 import arcomat.editor.desk.View;
 import arcomat.editor.name.Mentions;
 import arcomat.editor.text.Positions;
+import arcomat.source.Span;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.occurrences.Occurrence;
@@ -17,6 +18,8 @@ import org.eclipse.lsp4j.SemanticTokensLegend;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * What each name of a file is, for its colour. Words of the language have none of these: a grammar
@@ -53,6 +56,7 @@ public final class NameColours {
 
     public static SemanticTokens of(View view) {
         List<Integer> data = new ArrayList<>();
+        Set<Span> fields = fields(view);
         Position last = new Position(0, 0);
         for (Occurrence each : Mentions.in(view)) {
             Position place = Positions.position(view.file(), each.span().start());
@@ -61,7 +65,7 @@ public final class NameColours {
             data.add(place.getCharacter() - (lines == 0 ? last.getCharacter() : 0));
             data.add(each.span().end() - each.span().start());
             data.add(TYPES.indexOf(type(each.referent())));
-            data.add(modifiers(view, each));
+            data.add(modifiers(view, each, fields));
             last = place;
         }
         return new SemanticTokens(data);
@@ -87,11 +91,11 @@ public final class NameColours {
         };
     }
 
-    private static int modifiers(View view, Occurrence occurrence) {
+    private static int modifiers(View view, Occurrence occurrence, Set<Span> fields) {
         Referent referent = occurrence.referent();
         return bit(SemanticTokenModifiers.Declaration, occurrence.isDeclaration())
                 | bit(SemanticTokenModifiers.Modification, occurrence.role() == Role.WRITES)
-                | bit(SemanticTokenModifiers.Readonly, isConstant(referent))
+                | bit(SemanticTokenModifiers.Readonly, isConstant(referent, fields))
                 | bit(SemanticTokenModifiers.DefaultLibrary, isOfTheTool(view, referent));
     }
 
@@ -99,13 +103,26 @@ public final class NameColours {
         return isSet ? 1 << MODIFIERS.indexOf(modifier) : 0;
     }
 
-    private static boolean isConstant(Referent referent) {
+    /** Where the variables of components stand that automata of this file write. */
+    private static Set<Span> fields(View view) {
+        return view.models().workspace().components().stream()
+                .filter(each -> each.unit().file().path().equals(view.file().path()))
+                .flatMap(each -> each.fields().stream())
+                .map(VariableSymbol::nameSpan)
+                .collect(Collectors.toSet());
+    }
+
+    private static boolean isConstant(Referent referent, Set<Span> fields) {
         return switch (referent.kind()) {
             case CONSTANT, PARAMETER, PART -> true;
-            case VARIABLE ->
-                    ((Referent.Variable) referent).symbol().kind() == VariableSymbol.Kind.COMPONENT;
+            case VARIABLE -> isConstant(((Referent.Variable) referent).symbol(), fields);
             default -> false;
         };
+    }
+
+    private static boolean isConstant(VariableSymbol variable, Set<Span> fields) {
+        return variable.kind() == VariableSymbol.Kind.COMPONENT
+                && !fields.contains(variable.nameSpan());
     }
 
     private static boolean isOfTheTool(View view, Referent referent) {

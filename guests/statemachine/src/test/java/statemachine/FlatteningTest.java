@@ -1,0 +1,125 @@
+package statemachine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import statemachine.ReferenceMachine.Reaction;
+import statemachine.ReferenceMachine.Situation;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * Machines that are drawn by lot do as automata what the reference says: what it can show passes as
+ * a stream test, and what it cannot show fails.
+ */
+class FlatteningTest {
+    private static final int MACHINES = Integer.getInteger("machines", 100);
+    private static final int RUNS = 8;
+    private static final int SLICES = 12;
+
+    @TempDir private Path folder;
+
+    @Test
+    void doesWhatTheReferenceDoes() throws Exception {
+        long seed = Long.getLong("seed", 16);
+        Random random = new Random(seed);
+        int wrong = 0;
+        for (int i = 0; i < MACHINES; i++) {
+            DrawnMachine machine = DrawnMachine.draw(random);
+            String name = "Machine" + i;
+            Files.writeString(folder.resolve(name + ".arc"), machine.text(name));
+            StringBuilder suite =
+                    new StringBuilder("testsuite " + name + "Test for " + name + " {\n");
+            for (int run = 0; run < RUNS; run++) {
+                wrong += run(new ReferenceMachine(machine), random, i + "of" + run, suite) ? 1 : 0;
+            }
+            Files.writeString(folder.resolve(name + "Test.mt"), suite + "}\n");
+        }
+        String printed = Tool.run(folder, "test", ".");
+        assertThat(printed.lines().filter(line -> line.matches("  (FAILED right|passed wrong).*")))
+                .as("seed %d", seed)
+                .isEmpty();
+        int right = MACHINES * RUNS - wrong;
+        assertThat(printed).endsWith("%d passed, %d failed\n".formatted(right, wrong));
+        assertThat(wrong).isBetween(MACHINES, MACHINES * (RUNS - 1));
+    }
+
+    /** Writes a test; of two runs, one shows what cannot be, if a change of it leads there. */
+    private static boolean run(
+            ReferenceMachine machine, Random random, String name, StringBuilder suite) {
+        List<Optional<Boolean>> inputs = new ArrayList<>();
+        List<Map<String, Integer>> outputs = new ArrayList<>();
+        Reaction reaction = machine.start();
+        outputs.add(reaction.sent());
+        for (int i = 0; i < SLICES; i++) {
+            inputs.add(
+                    random.nextInt(4) == 0 ? Optional.empty() : Optional.of(random.nextBoolean()));
+            List<Reaction> all = machine.reactions(reaction.next(), inputs.get(i));
+            reaction = all.get(random.nextInt(all.size()));
+            outputs.add(reaction.sent());
+        }
+        boolean wrong = false;
+        if (random.nextBoolean()) {
+            int slice = random.nextInt(SLICES + 1);
+            Map<String, Integer> other = new HashMap<>(outputs.get(slice));
+            other.merge(
+                    List.of("x", "y", "z").get(random.nextInt(3)),
+                    random.nextInt(8),
+                    (old, fresh) -> old.equals(fresh) ? null : fresh);
+            outputs.set(slice, other);
+            wrong = !isPossible(machine, inputs, outputs);
+        }
+        suite.append("test ")
+                .append(wrong ? "wrong" : "right")
+                .append(name)
+                .append(" {\ninput {\na: <");
+        suite.append(stream(inputs)).append(">;\n}\nexpect {\n");
+        for (String port : List.of("x", "y", "z")) {
+            List<Optional<Integer>> sent =
+                    outputs.stream().map(each -> Optional.ofNullable(each.get(port))).toList();
+            suite.append(port).append(": <").append(stream(sent)).append(">;\n");
+        }
+        suite.append("}\n}\n");
+        return wrong;
+    }
+
+    private static String stream(List<? extends Optional<?>> messages) {
+        return messages.stream()
+                .map(each -> each.map(message -> message + ", ").orElse("") + "Tk")
+                .collect(Collectors.joining(", "));
+    }
+
+    private static boolean isPossible(
+            ReferenceMachine machine,
+            List<Optional<Boolean>> inputs,
+            List<Map<String, Integer>> outputs) {
+        Set<Situation> possible = new LinkedHashSet<>();
+        if (machine.start().sent().equals(outputs.get(0))) {
+            possible.add(machine.start().next());
+        }
+        for (int i = 0; i < inputs.size(); i++) {
+            Set<Situation> next = new LinkedHashSet<>();
+            for (Situation each : possible) {
+                for (Reaction reaction : machine.reactions(each, inputs.get(i))) {
+                    if (reaction.sent().equals(outputs.get(i + 1))) {
+                        next.add(reaction.next());
+                    }
+                }
+            }
+            possible = next;
+        }
+        return !possible.isEmpty();
+    }
+}

@@ -1,0 +1,170 @@
+package statemachine;
+
+import statemachine.DrawnMachine.Move;
+import statemachine.DrawnMachine.Node;
+import statemachine.DrawnMachine.Write;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What a machine does, said once more and to be read: states are left and entered one after the
+ * other, and each action works on what the one before has left behind.
+ */
+final class ReferenceMachine {
+    private final DrawnMachine machine;
+
+    ReferenceMachine(DrawnMachine machine) {
+        this.machine = machine;
+    }
+
+    /**
+     * Between two slices.
+     *
+     * @param active the simple state that it is in
+     * @param last by the name of a state, the simple state in it that was left last
+     */
+    record Situation(String active, Map<String, String> last, Map<String, Integer> variables) {}
+
+    /**
+     * @param sent by port
+     */
+    record Reaction(Map<String, Integer> sent, Situation next) {}
+
+    Reaction start() {
+        Step step = new Step(Map.of(), Map.of("n", 0, "m", 0));
+        step.begin(machine.root());
+        return step.reaction();
+    }
+
+    /**
+     * All that may happen in a slice.
+     *
+     * @param a the message, if there is one
+     */
+    List<Reaction> reactions(Situation before, Optional<Boolean> a) {
+        List<Reaction> all = new ArrayList<>();
+        for (Move move : machine.moves()) {
+            if (path(before.active()).contains(node(move.source())) && isEnabled(move, before, a)) {
+                Step step = new Step(before.last(), before.variables());
+                step.take(move, before.active());
+                all.add(step.reaction());
+            }
+        }
+        return all.isEmpty() ? List.of(new Reaction(Map.of(), before)) : all;
+    }
+
+    private static boolean isEnabled(Move move, Situation before, Optional<Boolean> a) {
+        return move.below().map(number -> before.variables().get("n") < number).orElse(true)
+                && move.input().map(asked -> fits(asked, a)).orElse(true);
+    }
+
+    private static boolean fits(String asked, Optional<Boolean> a) {
+        return switch (asked) {
+            case "--" -> a.isEmpty();
+            case "?" -> a.isPresent();
+            default -> a.map(String::valueOf).filter(asked::equals).isPresent();
+        };
+    }
+
+    private Node node(String name) {
+        return machine.root().all().stream()
+                .filter(each -> each.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** From the outermost state to this one. */
+    private List<Node> path(String name) {
+        List<Node> path = new ArrayList<>();
+        for (Node each : machine.root().all()) {
+            if (!each.name().isEmpty()
+                    && each.all().stream().anyMatch(inner -> inner.name().equals(name))) {
+                path.add(each);
+            }
+        }
+        return path;
+    }
+
+    private final class Step {
+        private final Map<String, String> last;
+        private final Map<String, Integer> variables;
+        private final Map<String, Integer> sent = new TreeMap<>();
+        private String active = "";
+
+        Step(Map<String, String> last, Map<String, Integer> variables) {
+            this.last = new HashMap<>(last);
+            this.variables = new HashMap<>(variables);
+        }
+
+        Reaction reaction() {
+            return new Reaction(sent, new Situation(active, last, variables));
+        }
+
+        void take(Move move, String from) {
+            active = from;
+            if (move.target().isEmpty()) {
+                move.writes().forEach(this::write);
+                return;
+            }
+            List<Node> toLeave = path(from);
+            List<Node> toEnter = path(move.target().get());
+            List<Node> outside = new ArrayList<>(path(move.source()));
+            outside.remove(outside.size() - 1);
+            outside.retainAll(toEnter.subList(0, toEnter.size() - 1));
+            toLeave.removeAll(outside);
+            toEnter.removeAll(outside);
+            Collections.reverse(toLeave);
+            for (Node each : toLeave) {
+                each.exit().forEach(this::write);
+                last.put(each.name(), from);
+            }
+            move.writes().forEach(this::write);
+            toEnter.forEach(each -> each.entry().forEach(this::write));
+            Node goal = toEnter.get(toEnter.size() - 1);
+            goOn(goal, move.memory());
+        }
+
+        /** In a state that was entered. */
+        private void goOn(Node state, String memory) {
+            if (memory.isEmpty() || !last.containsKey(state.name())) {
+                begin(state);
+                return;
+            }
+            List<Node> inner = path(last.get(state.name()));
+            inner.removeAll(path(state.name()));
+            if (memory.equals(".history")) {
+                inner.get(0).entry().forEach(this::write);
+                begin(inner.get(0));
+            } else {
+                inner.forEach(each -> each.entry().forEach(this::write));
+                active = last.get(state.name());
+            }
+        }
+
+        void begin(Node state) {
+            active = state.name();
+            if (!state.isSimple()) {
+                Node first = state.parts().get(0);
+                first.entry().forEach(this::write);
+                begin(first);
+            }
+        }
+
+        private void write(Write write) {
+            int n = write.value().n() ? variables.get("n") : 0;
+            int value =
+                    write.value().n() ? (n + write.value().number()) % 8 : write.value().number();
+            if (variables.containsKey(write.name())) {
+                variables.put(write.name(), value);
+            } else if (sent.put(write.name(), value) != null) {
+                throw new AssertionError("two messages in one step");
+            }
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package wrong;
+
+component Unreadable {
+    port in Boolean go, out Integer x;
+
+    component MissingArrow {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one, two;
+            one > two {go == true};
+        }
+    }
+
+    component EntryOutside {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            entry / {x = 1};
+            initial one;
+            state one;
+        }
+    }
+
+    component WordAsName {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial exit;
+            state exit;
+        }
+    }
+
+    component UnknownHistory {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one { initial two; state two; }
+            one -> one.past;
+        }
+    }
+
+    component EndsEarly {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one { entry / {x = 1} }
+        }
+    }
+
+    component LateVariable {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one { var Integer n = 0; }
+        }
+    }
+}

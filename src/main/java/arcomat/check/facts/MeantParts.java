@@ -1,0 +1,29 @@
+package arcomat.check.facts;
+
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Element;
+
+import java.util.List;
+
+/** Variables whose type is a component and no type of messages: parts without their keyword. */
+public final class MeantParts {
+    private MeantParts() {}
+
+    public static List<Element.Variables> in(ComponentSymbol component) {
+        return component.node().elements(Element.Variables.class).stream()
+                .filter(each -> isPart(each, component))
+                .toList();
+    }
+
+    /** Whether something with this name was meant to be a part. */
+    public static boolean isNamed(String name, ComponentSymbol component) {
+        return in(component).stream()
+                .flatMap(each -> each.variables().stream())
+                .anyMatch(each -> each.name().text().equals(name));
+    }
+
+    private static boolean isPart(Element.Variables variables, ComponentSymbol component) {
+        return component.resolveType(variables.type()).isUnknown()
+                && component.signature().resolveComponent(variables.type().name()).isFound();
+    }
+}

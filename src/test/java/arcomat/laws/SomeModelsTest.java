@@ -1,0 +1,68 @@
+package arcomat.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.laws.draw.Draw;
+import arcomat.laws.draw.Features;
+import arcomat.model.Component;
+import arcomat.source.SourceFile;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Some laws on some hundred random models each; {@code lawTest} tries all of them on more. */
+class SomeModelsTest {
+    @Test
+    void aVerdictAboutAnInvariantIsThatOfTheReference() {
+        Map<Answer, Integer> answers = new EnumMap<>(Answer.class);
+        tried(new InvariantsAsTheReference(), 250).stream()
+                .flatMap(models -> answers(models.component(Pairs.LEFT)))
+                .forEach(answer -> answers.merge(answer, 1, Integer::sum));
+        assertThat(answers.get(Answer.HOLDS)).isGreaterThan(60);
+        assertThat(answers.get(Answer.FAILS)).isGreaterThan(60);
+    }
+
+    private static Stream<Answer> answers(Component component) {
+        return component.invariants().stream()
+                .map(each -> InvariantProof.check(component, List.of(), each, Questions.budget()))
+                .map(verdict -> verdict.answer());
+    }
+
+    @Test
+    void aClauseToBlameIsOneWithoutWhichItWouldFire() {
+        assertThat(tried(new WhyNothingFired(), 400)).hasSizeGreaterThan(200);
+    }
+
+    @Test
+    void aVerdictThroughAMapIsThatOfTheDefinition() {
+        Map<Answer, Integer> answers = new EnumMap<>(Answer.class);
+        for (Models models : tried(new MapsAsDefined(), 400)) {
+            answers.merge(MapsAsDefined.verdict(models).answer(), 1, Integer::sum);
+        }
+        assertThat(answers.get(Answer.HOLDS)).isGreaterThan(40);
+        assertThat(answers.get(Answer.FAILS)).isGreaterThan(40);
+    }
+
+    /** Those of which the law says something. */
+    private static List<Models> tried(Law law, int count) {
+        List<Models> met = new ArrayList<>();
+        for (int seed = 0; seed < count; seed++) {
+            List<SourceFile> files = law.draw(new Draw(seed, EnumSet.allOf(Features.class)));
+            Optional<Outcome> outcome = Trial.check(law, files, seed);
+            assertThat(outcome.map(Outcome::problem).orElse("")).as(files::toString).isEmpty();
+            if (outcome.map(Outcome::met).orElse(false)) {
+                met.add(Models.read(files, seed).orElseThrow());
+            }
+        }
+        return met;
+    }
+}
