@@ -34,6 +34,7 @@ public final class ComponentLaws {
                     error("ARC0129", new ProfilesNotMixed()).needing(ALL),
                     executableError("ARC0126", new SingleAutomaton()),
                     error("ARC0112", new SubcomponentAcyclic()),
+                    error("ARC0135", new SuperArgumentsSmall()),
                     error("ARC0101", new TopLevelComponentWithoutInstance()));
 
     private ComponentLaws() {}
