@@ -74,7 +74,7 @@ component BadParts {
 //        ~~~~~ error ARC0103: no output of 'gauge' fits an input of 'both', so none can be connected; write ports that fit
   connect both -> takes.x, takes.y;
 //        ~~~~ error ARC0103: 'both' is a part, and its targets ask for different ports of it; write a connector for each
-  connect spead -> motor;
+  connect spead -> nothing;
 //        ~~~~~ error ARC0103: component 'BadParts' has no port 'spead'; did you mean 'speed'?
   connect speed -> nothing, motor.power;
 }

@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,19 +30,24 @@ class ThroughputTest {
     /** More than anybody makes here; the processes are ended. */
     private static final int RUNS = 10_000_000;
 
-    /** Rows until Java has compiled what it needs. */
-    private static final int WARM = 3000;
+    /** Rows until Java has compiled what it needs, in each of three processes. */
+    private static final int WARM = 9000;
+
+    /** The same where a busy machine will not be judged by the clock: there is less to be right. */
+    private static final int TEPID = 300;
 
     @TempDir private Path folder;
     private ToolProcesses tool;
+    private int enough;
 
     @BeforeEach
-    void writeCampaign() throws IOException {
+    void writeCampaign() throws Exception {
         assumeTrue(Contest.isPossible(), "not judged: nobody tells how busy the processors are");
         assumeTrue(
                 Runtime.getRuntime().availableProcessors() >= 2,
                 "not judged: there is one processor");
         tool = new ToolProcesses(folder);
+        enough = Contest.isQuietNow() ? WARM : TEPID;
         String world = folder.relativize(WORLD).toString();
         Files.writeString(
                 folder.resolve("yard.campaign"),
@@ -83,7 +87,7 @@ class ThroughputTest {
     }
 
     private Group warm(Group group) throws Exception {
-        while (tool.rows(group.out()) < WARM) {
+        while (tool.rows(group.out()) < enough) {
             assertThat(group.processes())
                     .as(tool.log(group.out() + ".log"))
                     .allMatch(Process::isAlive);
