@@ -57,6 +57,15 @@ arguments
     : '(' (expression (',' expression)*)? ')'
     ;
 
+// For the parameters of a component, some by their names.
+givenArguments
+    : '(' (givenArgument (',' givenArgument)*)? ')'
+    ;
+
+givenArgument
+    : (name '=')? expression
+    ;
+
 creator
     : name ('.' name)* typeArguments? (arguments | ('[' expression ']')+)
     | primitiveType ('[' expression ']')+
