@@ -12,7 +12,7 @@ arcUnit
 
 component
     : stereotypes? modifier* 'component' name typeParameters? parameters?
-      ('extends' superType = type superArguments = givenArguments?)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
+      ('extends' superType = type superArguments = componentArguments?)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
       namedInstance? '{' element* '}'
     ;
 
@@ -71,7 +71,7 @@ port
     ;
 
 subcomponent
-    : stereotypes? 'component' type givenArguments? (instance (',' instance)*)? ';'
+    : stereotypes? 'component' type componentArguments? (instance (',' instance)*)? ';'
     ;
 
 instance

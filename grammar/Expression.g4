@@ -58,11 +58,11 @@ arguments
     ;
 
 // For the parameters of a component, some by their names.
-givenArguments
-    : '(' (givenArgument (',' givenArgument)*)? ')'
+componentArguments
+    : '(' (componentArgument (',' componentArgument)*)? ')'
     ;
 
-givenArgument
+componentArgument
     : (name '=')? expression
     ;
 

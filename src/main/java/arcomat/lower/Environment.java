@@ -31,8 +31,7 @@ record Environment(
         Map<String, Variable> variables) {
 
     static Environment of(TypeSubstitution types) {
-        return new Environment(
-                types, Map.of(), Map.of(), Map.of(), Map.of(), Map.of(), Map.of());
+        return new Environment(types, Map.of(), Map.of(), Map.of(), Map.of(), Map.of(), Map.of());
     }
 
     Type type(TypeSymbol symbol) {

@@ -2,9 +2,9 @@ package arcomat.lower;
 
 import arcomat.model.Expression;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
-import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.signatures.Signature;
 
 import java.util.List;
@@ -38,14 +38,14 @@ final class SuperArguments {
                             .or(parameter::initial)
                             .orElseThrow();
             Expression lowered =
-                    new ExpressionLowering(current)
-                            .lower(value, current.type(parameter.type()));
+                    new ExpressionLowering(current).lower(value, current.type(parameter.type()));
             current = current.withSettled(parameter, lowered);
         }
         return current;
     }
 
     private static List<ParameterSymbol> above(Signature heir) {
-        return Lowering.resolved(heir.superComponent().orElseThrow().resolution(), heir).parameters();
+        return Lowering.resolved(heir.superComponent().orElseThrow().resolution(), heir)
+                .parameters();
     }
 }

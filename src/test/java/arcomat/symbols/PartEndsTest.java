@@ -92,8 +92,7 @@ class PartEndsTest {
                                 .formatted(own.declaration(), connector)
                         + component("Left", left)
                         + component("Right", right);
-        ComponentSymbol whole =
-                Scenario.of(text).workspace().components("p.Whole").get(0);
+        ComponentSymbol whole = Scenario.of(text).workspace().components("p.Whole").get(0);
         ConnectorSymbol found = whole.connectors().get(0);
         return found.isResolved()
                 ? found.source().key() + " -> " + found.target().key()

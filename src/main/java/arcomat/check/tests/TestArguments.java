@@ -50,8 +50,7 @@ public final class TestArguments implements Check.OnTestSuite {
 
     private static void reportMissing(
             TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
-        List<String> missing =
-                ArgumentCount.missing(component.parameters(), suite.arguments());
+        List<String> missing = ArgumentCount.missing(component.parameters(), suite.arguments());
         if (!missing.isEmpty()) {
             findings.report(
                             suite.node().component(),

@@ -48,14 +48,15 @@ public record GivenArgument(Argument node, Optional<ParameterSymbol> parameter, 
     }
 
     private static Optional<ParameterSymbol> at(int place, List<ParameterSymbol> parameters) {
-        return place < parameters.size()
-                ? Optional.of(parameters.get(place))
-                : Optional.empty();
+        return place < parameters.size() ? Optional.of(parameters.get(place)) : Optional.empty();
     }
 
     /** The value that a list has for a parameter; of two the first. */
     public static Optional<Typed> find(List<GivenArgument> given, ParameterSymbol parameter) {
-        return given.stream().filter(each -> each.isFor(parameter)).map(GivenArgument::value).findFirst();
+        return given.stream()
+                .filter(each -> each.isFor(parameter))
+                .map(GivenArgument::value)
+                .findFirst();
     }
 
     public boolean isFor(ParameterSymbol wanted) {

@@ -128,7 +128,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
                 phrases.type(context.type()),
-                phrases.expressions.given(context.givenArguments()),
+                phrases.expressions.given(context.componentArguments()),
                 each(context.instance(), this::instance));
     }
 

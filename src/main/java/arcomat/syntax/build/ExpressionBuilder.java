@@ -72,11 +72,11 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
         return context == null ? List.of() : buildAll(context.expression());
     }
 
-    List<Argument> given(ArcomatParser.@Nullable GivenArgumentsContext context) {
-        return context == null ? List.of() : each(context.givenArgument(), this::given);
+    List<Argument> given(ArcomatParser.@Nullable ComponentArgumentsContext context) {
+        return context == null ? List.of() : each(context.componentArgument(), this::given);
     }
 
-    private Argument given(ArcomatParser.GivenArgumentContext context) {
+    private Argument given(ArcomatParser.ComponentArgumentContext context) {
         return new Argument(
                 span(context), phrases.optionalName(context.name()), build(context.expression()));
     }

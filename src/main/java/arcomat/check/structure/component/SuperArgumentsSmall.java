@@ -15,7 +15,8 @@ import java.util.Map;
 
 /**
  * ARC0135: what stands for the parameters of an extended component stays small. Each component on
- * the way up may write a parameter several times, and what stands for it takes each of these places.
+ * the way up may write a parameter several times, and what stands for it takes each of these
+ * places.
  */
 public final class SuperArgumentsSmall implements Check.OnComponent {
     /** In names, numbers and operators; what is larger takes long wherever it is computed. */
@@ -59,7 +60,8 @@ public final class SuperArgumentsSmall implements Check.OnComponent {
     /** Sizes beyond the largest one are all alike, so that they do not overflow. */
     private static long size(Typed value, Map<ParameterSymbol, Long> sizes) {
         long[] size = {0};
-        value.expression().walk(part -> size[0] = Math.min(LARGEST + 1, size[0] + size(part, sizes)));
+        value.expression()
+                .walk(part -> size[0] = Math.min(LARGEST + 1, size[0] + size(part, sizes)));
         return size[0];
     }
 
