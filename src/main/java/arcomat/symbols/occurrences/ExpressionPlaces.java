@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * Names in expressions.
@@ -39,6 +40,17 @@ record ExpressionPlaces(
 
     void in(Typed typed) {
         typed.expression().walk(each -> each.match(this));
+    }
+
+    /** Only at some places. */
+    void in(Typed typed, Predicate<Expression> wanted) {
+        typed.expression()
+                .walk(
+                        each -> {
+                            if (wanted.test(each.node())) {
+                                each.match(this);
+                            }
+                        });
     }
 
     void in(List<Typed> typed) {

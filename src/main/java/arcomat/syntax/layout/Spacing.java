@@ -67,7 +67,9 @@ final class Spacing {
             case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);
             case ">" -> isBracket(parent);
-            case "++", "--" -> parent instanceof ArcomatParser.ItemContext;
+            case "++", "--" ->
+                    parent instanceof ArcomatParser.ItemContext
+                            || parent instanceof ArcomatParser.StepStatementContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };

@@ -61,7 +61,9 @@ final class SureTrigger {
     static Optional<SureTrigger> of(TransitionSymbol transition) {
         SureTrigger trigger = new SureTrigger();
         AutomatonElement.Transition node = transition.node();
-        if (transition.guard().isPresent() || !areMessages(node.input())) {
+        if (transition.guard().isPresent()
+                || transition.actions().isPresent()
+                || !areMessages(node.input())) {
             return Optional.empty();
         }
         for (ItemSymbol item : transition.input()) {
