@@ -10,6 +10,7 @@ import arcomat.model.Component;
 import arcomat.model.Variable;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -58,9 +59,7 @@ public final class AutomatonGraph {
                                     Mark.of("initial", String.valueOf(i), initial.span()),
                                     TransitionText.label(initial))));
         }
-        for (int i : inOrderOfVisit()) {
-            nodes.add(stateNode(i));
-        }
+        nodes.addAll(nested(inOrderOfVisit(), 0));
         edges.addAll(arrows());
         Node frame =
                 new Node(
@@ -72,6 +71,41 @@ public final class AutomatonGraph {
                         edges,
                         0);
         return new Graph(title, List.of(frame), Graph.Flow.EITHER);
+    }
+
+    /**
+     * States that stand in the same one are in a box of its name, where the first of them would be.
+     *
+     * @param depth how many boxes are around these
+     */
+    private List<Node> nested(Collection<Integer> states, int depth) {
+        Map<String, List<Integer>> together = new LinkedHashMap<>();
+        for (int state : states) {
+            List<String> within = automaton.within().get(state);
+            String key = within.size() > depth ? "within " + within.get(depth) : state(state);
+            together.computeIfAbsent(key, each -> new ArrayList<>()).add(state);
+        }
+        List<Node> nodes = new ArrayList<>();
+        together.forEach(
+                (key, members) -> {
+                    List<String> within = automaton.within().get(members.get(0));
+                    nodes.add(
+                            within.size() > depth
+                                    ? box(within.get(depth), nested(members, depth + 1))
+                                    : stateNode(members.get(0)));
+                });
+        return nodes;
+    }
+
+    private static Node box(String name, List<Node> states) {
+        return new Node(
+                Mark.unplaced("group", name).styled("frame"),
+                Form.ROUND,
+                List.of(Line.plain(name)),
+                List.of(),
+                states,
+                List.of(),
+                0);
     }
 
     private Node stateNode(int index) {

@@ -1,5 +1,6 @@
 package arcomat.diagram;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -59,6 +60,23 @@ public record Graph(String title, List<Node> roots, Flow flow) {
 
         String name() {
             return mark.name();
+        }
+
+        /** Whether it is drawn around others, and edges lead from inside to outside. */
+        boolean isBox() {
+            return form == Form.ROUND && !children.isEmpty();
+        }
+
+        /** Its children, and those of boxes among them. */
+        List<Node> inside() {
+            List<Node> all = new ArrayList<>();
+            for (Node child : children) {
+                all.add(child);
+                if (child.isBox()) {
+                    all.addAll(child.inside());
+                }
+            }
+            return all;
         }
 
         /** Whether it shows what is inside. */

@@ -16,6 +16,7 @@ import org.eclipse.elk.core.options.CoreOptions;
 import org.eclipse.elk.core.options.Direction;
 import org.eclipse.elk.core.options.EdgeLabelPlacement;
 import org.eclipse.elk.core.options.EdgeRouting;
+import org.eclipse.elk.core.options.HierarchyHandling;
 import org.eclipse.elk.core.options.NodeLabelPlacement;
 import org.eclipse.elk.core.options.PortConstraints;
 import org.eclipse.elk.core.options.PortLabelPlacement;
@@ -74,9 +75,13 @@ public final class LayeredLayout {
     /** Whether nodes come in the order in which they are to be read. */
     private final boolean ordered;
 
-    private LayeredLayout(Direction direction, boolean ordered) {
+    /** Whether edges lead into boxes and out of them. */
+    private final boolean boxed;
+
+    private LayeredLayout(Direction direction, boolean ordered, boolean boxed) {
         this.direction = direction;
         this.ordered = ordered;
+        this.boxed = boxed;
     }
 
     public static Picture of(Graph graph) {
@@ -94,7 +99,8 @@ public final class LayeredLayout {
     }
 
     private static Picture of(Graph graph, Direction direction) {
-        LayeredLayout layout = new LayeredLayout(direction, graph.flow() == Graph.Flow.EITHER);
+        boolean ordered = graph.flow() == Graph.Flow.EITHER;
+        LayeredLayout layout = new LayeredLayout(direction, ordered, hasBoxes(graph.roots()));
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
@@ -110,14 +116,20 @@ public final class LayeredLayout {
         return new PlacedPicture(layout).picture(graph, root);
     }
 
+    private static boolean hasBoxes(List<Node> nodes) {
+        return nodes.stream().anyMatch(each -> each.isBox() || hasBoxes(each.children()));
+    }
+
     private void layered(ElkNode node, List<Node> children, boolean crowded) {
         node.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
         node.setProperty(LayeredOptions.DIRECTION, direction);
         node.setProperty(
                 LayeredOptions.CYCLE_BREAKING_STRATEGY,
-                ordered
-                        ? CycleBreakingStrategy.MODEL_ORDER
-                        : CycleBreakingStrategy.GREEDY_MODEL_ORDER);
+                boxed
+                        ? CycleBreakingStrategy.GREEDY
+                        : ordered
+                                ? CycleBreakingStrategy.MODEL_ORDER
+                                : CycleBreakingStrategy.GREEDY_MODEL_ORDER);
         node.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE, 28.0);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, crowded ? 32.0 : 44.0);
@@ -132,8 +144,11 @@ public final class LayeredLayout {
         node.setProperty(LayeredOptions.SPACING_LABEL_PORT_HORIZONTAL, 4.0);
         node.setProperty(
                 LayeredOptions.EDGE_LABELS_SIDE_SELECTION, EdgeLabelSideSelection.ALWAYS_UP);
-        node.setProperty(
-                LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.PREFER_NODES);
+        // With edges into boxes the layout cannot keep the order of the text, and fails.
+        if (!boxed) {
+            node.setProperty(
+                    LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.PREFER_NODES);
+        }
         if (children.stream().mapToInt(Node::rank).distinct().count() > 1) {
             node.setProperty(LayeredOptions.PARTITIONING_ACTIVATE, true);
         }
@@ -153,14 +168,20 @@ public final class LayeredLayout {
                                 PortLabelPlacement.OUTSIDE,
                                 PortLabelPlacement.NEXT_TO_PORT_IF_POSSIBLE)
                         : PortLabelPlacement.inside());
-        made.setProperty(LayeredOptions.PORT_CONSTRAINTS, PortConstraints.FIXED_SIDE);
+        if (!node.isBox()) {
+            made.setProperty(LayeredOptions.PORT_CONSTRAINTS, PortConstraints.FIXED_SIDE);
+        }
         if (node.isOpen()) {
             boolean crowded = node.edges().stream().anyMatch(edge -> !edge.captions().isEmpty());
             layered(made, node.children(), crowded);
             double top = TextSize.ofLines(node.lines()).height() + 2 * TITLE + PADDING;
             made.setProperty(LayeredOptions.PADDING, new ElkPadding(top, INSIDE, INSIDE, INSIDE));
             node.children().forEach(child -> add(child, made, false));
-            connect(node.edges(), node.children(), node, made);
+            if (node.children().stream().anyMatch(Node::isBox)) {
+                made.setProperty(
+                        CoreOptions.HIERARCHY_HANDLING, HierarchyHandling.INCLUDE_CHILDREN);
+            }
+            connect(node.edges(), node.inside(), node, made);
         }
     }
 

@@ -62,7 +62,7 @@ final class PlacedPicture {
         }
         elements.add(new Element(node.mark(), shapes));
         node.children().forEach(child -> place(child, box.x(), box.y()));
-        node.edges().forEach(edge -> place(edge, box.x(), box.y()));
+        node.edges().forEach(this::place);
         node.ports().forEach(port -> place(port, box.x(), box.y()));
     }
 
@@ -82,8 +82,17 @@ final class PlacedPicture {
         elements.add(new Element(port.mark(), shapes));
     }
 
-    private void place(Edge edge, double x, double y) {
+    /** Where it lies is said from the innermost node on that has both its ends. */
+    private void place(Edge edge) {
         List<ElkEdge> placed = Objects.requireNonNull(layout.edges.get(edge));
+        double x = 0;
+        double y = 0;
+        for (ElkNode each = placed.get(0).getContainingNode();
+                each != null;
+                each = each.getParent()) {
+            x += each.getX();
+            y += each.getY();
+        }
         List<Point> points = new ArrayList<>();
         for (ElkEdge piece : placed) {
             for (KVector point : ElkUtil.createVectorChain(piece.getSections().get(0))) {

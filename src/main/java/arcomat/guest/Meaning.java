@@ -1,6 +1,7 @@
 package arcomat.guest;
 
 import arcomat.source.Span;
+import arcomat.tree.Name;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,14 +18,21 @@ public final class Meaning {
     private final List<Problem> problems = new ArrayList<>();
     private Optional<Span> element = Optional.empty();
     private int rank;
+    private List<Name> within = List.of();
 
     /**
      * A piece of Arcomat's text, and what it stands for.
      *
      * @param element that it is a part of; empty where pieces stand for themselves
      * @param rank of a transition that begins in it
+     * @param within names of what a state stands in that begins in it, from the outermost on
      */
-    public record Piece(Span place, String text, Optional<Span> element, int rank) {}
+    public record Piece(
+            Span place, String text, Optional<Span> element, int rank, List<Name> within) {
+        public Piece {
+            within = List.copyOf(within);
+        }
+    }
 
     /**
      * Something that is wrong with what somebody wrote.
@@ -56,6 +64,16 @@ public final class Meaning {
     }
 
     /**
+     * The states to come stand in others, which are drawn around them.
+     *
+     * @param names of those, from the outermost on; none at first
+     */
+    public Meaning within(List<Name> names) {
+        within = List.copyOf(names);
+        return this;
+    }
+
+    /**
      * Adds elements of the automaton, or a part of one.
      *
      * @param place what they stand for, in the file that is translated
@@ -63,7 +81,7 @@ public final class Meaning {
      */
     public Meaning write(Span place, String text, Object... values) {
         String all = values.length == 0 ? text : String.format(Locale.ROOT, text, values);
-        pieces.add(new Piece(place, all, element, rank));
+        pieces.add(new Piece(place, all, element, rank, within));
         return this;
     }
 

@@ -14,6 +14,7 @@ import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.tree.Name;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -51,7 +52,12 @@ final class AutomatonLowering {
                 symbol.initials().stream().map(this::initial).toList(),
                 symbol.transitions().stream().flatMap(this::transitions).toList(),
                 symbol.states().stream().map(StateSymbol::nameSpan).toList(),
+                symbol.states().stream().map(AutomatonLowering::within).toList(),
                 symbol.node().span());
+    }
+
+    private static List<String> within(StateSymbol state) {
+        return state.node().within().stream().map(Name::text).toList();
     }
 
     private Automaton.Initial initial(InitialSymbol initial) {

@@ -44,6 +44,7 @@ final class TableLowering {
                 List.of(new Automaton.Initial(0, List.of(), List.of(), table.node().span())),
                 transitions(),
                 List.of(table.node().span()),
+                List.of(List.of()),
                 table.node().span());
     }
 

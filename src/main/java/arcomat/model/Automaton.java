@@ -16,6 +16,8 @@ import java.util.function.Supplier;
  * @param violated what a robot does that watches itself for it
  * @param initials alternatives
  * @param places where each state is declared, by its index
+ * @param within names of what each state stands in, from the outermost on, by its index: for
+ *     whoever looks at it, since what it means is said without
  */
 public record Automaton(
         String name,
@@ -27,6 +29,7 @@ public record Automaton(
         List<Initial> initials,
         List<Transition> transitions,
         List<Span> places,
+        List<List<String>> within,
         Span span) {
     public Automaton {
         states = List.copyOf(states);
@@ -34,6 +37,7 @@ public record Automaton(
         initials = List.copyOf(initials);
         transitions = List.copyOf(transitions);
         places = List.copyOf(places);
+        within = within.stream().map(List::copyOf).toList();
     }
 
     /** Where all states are declared in one place. */
@@ -56,6 +60,7 @@ public record Automaton(
                 initials,
                 transitions,
                 Collections.nCopies(states.size(), span),
+                Collections.nCopies(states.size(), List.of()),
                 span);
     }
 
@@ -72,6 +77,22 @@ public record Automaton(
                         .filter(each -> each.source == transition.source)
                         .filter(each -> each.rank < transition.rank)
                         .toList();
+    }
+
+    /** The same with states that stand in others. */
+    public Automaton within(List<List<String>> names) {
+        return new Automaton(
+                name,
+                completion,
+                omitted,
+                violated,
+                states,
+                variables,
+                initials,
+                transitions,
+                places,
+                names,
+                span);
     }
 
     /** The same with another completion. */
@@ -101,12 +122,14 @@ public record Automaton(
                 initials,
                 transitions,
                 places,
+                within,
                 span);
     }
 
     private Automaton with(Completion end, List<Initial> begin, List<Transition> steps) {
         return new Automaton(
-                name, end, omitted, violated, states, variables, begin, steps, places, span);
+                name, end, omitted, violated, states, variables, begin, steps, places, within,
+                span);
     }
 
     /** What happens where no transition is enabled. */

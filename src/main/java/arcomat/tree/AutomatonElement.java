@@ -20,7 +20,17 @@ public sealed interface AutomatonElement extends Node {
 
     record States(Span span, List<State> states) implements AutomatonElement {}
 
-    record State(Span span, List<Stereotype> stereotypes, Name name) implements Node {}
+    /**
+     * @param within what it stands in, from the outermost on; texts have no word for it, and guests
+     *     may have
+     */
+    record State(Span span, List<Stereotype> stereotypes, Name name, List<Name> within)
+            implements Node {
+        /** The same in other states. */
+        public State within(List<Name> others) {
+            return new State(span, stereotypes, name, others);
+        }
+    }
 
     /**
      * {@code initial a, b / {..};}. It may stand before the states that it declares.

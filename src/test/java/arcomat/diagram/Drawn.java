@@ -16,7 +16,8 @@ import javax.xml.parsers.DocumentBuilderFactory;
 
 /** What an SVG shows, read back from its text: who looks at a picture sees no more. */
 final class Drawn {
-    private static final Set<String> BOXES = Set.of("frame", "part", "state", "enum", "class");
+    private static final Set<String> BOXES =
+            Set.of("frame", "part", "state", "group", "enum", "class");
 
     /** Letters reach from here above the line to there below, in units of the size. */
     private static final double ASCENT = 0.74;

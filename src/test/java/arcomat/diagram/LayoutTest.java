@@ -76,6 +76,22 @@ class LayoutTest {
         assertThat(Overlaps.in(svg(graph))).isEmpty();
     }
 
+    /** An arrow may cross the box of states that it has nothing to do with; nothing else may. */
+    @Property(tries = 100)
+    void anyAutomatonInBoxes(@ForAll @IntRange(min = 0) int seed) {
+        Component component = RandomModels.automaton(seed);
+        Automaton plain = component.automata().get(0);
+        List<List<String>> within = new ArrayList<>();
+        for (int i = 0; i < plain.states().size(); i++) {
+            within.add(List.of("p", "q", "r").subList(0, (seed % 97 + i * i) % 3));
+        }
+        Graph graph = AutomatonGraph.of(component, plain.within(within));
+        assertThat(Overlaps.in(svg(graph)))
+                .filteredOn(each -> !each.contains(" runs through group "))
+                .isEmpty();
+        assertThat(svg(graph)).isEqualTo(svg(graph));
+    }
+
     /** The run, and any automaton on both sides with any marks. */
     @Property(tries = 50)
     void anyFailure(@ForAll @IntRange(min = 0) int seed) {

@@ -2,6 +2,7 @@ package statemachine;
 
 import arcomat.guest.Meaning;
 import arcomat.source.Span;
+import arcomat.tree.Name;
 
 import statemachine.Entering.Way;
 import statemachine.Machine.Action;
@@ -67,6 +68,7 @@ final class Flattening {
         }
         variables();
         states.leaves(states.root()).forEach(this::state);
+        meaning.within(List.of());
         beginning();
         arrows.forEach(this::arrow);
         states.leaves(states.root()).forEach(this::during);
@@ -113,6 +115,11 @@ final class Flattening {
 
     private void state(State leaf) {
         Label name = leaf.name();
+        List<State> path = states.path(leaf);
+        meaning.within(
+                path.subList(0, path.size() - 1).stream()
+                        .map(each -> new Name(each.name().place(), each.name().text()))
+                        .toList());
         meaning.element(name.place())
                 .write(name.place(), "state ")
                 .write(name.place(), "%s", name.text())

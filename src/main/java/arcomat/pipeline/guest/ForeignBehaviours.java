@@ -164,27 +164,34 @@ public final class ForeignBehaviours {
             return gap(foreign, Diagnostic.error(FAILED, text.origin(first.span()), message));
         }
         Automaton written = (Automaton) parsed.unit().get().definition();
-        List<AutomatonElement> ranked =
-                written.elements().stream().map(each -> ranked(each, text)).toList();
-        PlacedTree placed = new PlacedTree(text::origin);
+        List<AutomatonElement> elements =
+                written.elements().stream().map(each -> placed(each, text)).toList();
         return Optional.of(
                 foreign.meaning(
                         new Automaton(
-                                foreign.span(),
-                                foreign.stereotypes(),
-                                foreign.name(),
-                                ranked.stream().map(placed::move).toList())));
+                                foreign.span(), foreign.stereotypes(), foreign.name(), elements)));
     }
 
-    /** A text has no word for ranks: guests say them beside it. */
-    private static AutomatonElement ranked(AutomatonElement element, TranslatedText text) {
-        return element instanceof AutomatonElement.Transition transition
-                ? transition.withRank(text.rank(transition.span()))
-                : element;
+    /** With what a text has no words for: guests say it beside. */
+    private static AutomatonElement placed(AutomatonElement written, TranslatedText text) {
+        AutomatonElement placed = new PlacedTree(text::origin).move(written);
+        if (placed instanceof AutomatonElement.Transition transition) {
+            return transition.withRank(text.beginning(written.span()).rank());
+        }
+        if (placed instanceof AutomatonElement.States states
+                && written instanceof AutomatonElement.States before) {
+            List<AutomatonElement.State> all = new ArrayList<>();
+            for (int i = 0; i < states.states().size(); i++) {
+                Piece beginning = text.beginning(before.states().get(i).span());
+                all.add(states.states().get(i).within(beginning.within()));
+            }
+            return new AutomatonElement.States(states.span(), all);
+        }
+        return placed;
     }
 
     private static Piece own(Span place, String text) {
-        return new Piece(place, text, Optional.empty(), 0);
+        return new Piece(place, text, Optional.empty(), 0, List.of());
     }
 
     private static String line(Span place) {

@@ -30,9 +30,9 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
         return new TranslatedText(new SourceFile(path, text.toString()), pieces);
     }
 
-    /** The rank of a transition: that of the piece in which it begins. */
-    int rank(Span transition) {
-        return pieces.floorEntry(transition.start()).getValue().rank();
+    /** The piece in which a part of the text begins. */
+    Piece beginning(Span part) {
+        return pieces.floorEntry(part.start()).getValue();
     }
 
     /** What a part of the text stands for: exactly, where it was taken over letter by letter. */

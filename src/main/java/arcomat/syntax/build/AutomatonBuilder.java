@@ -80,7 +80,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return new AutomatonElement.State(
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
-                phrases.name(context.name()));
+                phrases.name(context.name()),
+                List.of());
     }
 
     @Override
