@@ -85,7 +85,9 @@ class InstallationTest {
                 }) {
             Path log = temporary.resolve("loaded.txt");
             ProcessBuilder command =
-                    command(INSTALLATION, List.of(each).subList(1, each.length).toArray(String[]::new));
+                    command(
+                            INSTALLATION,
+                            List.of(each).subList(1, each.length).toArray(String[]::new));
             command.environment().put("JAVA_OPTS", "-Xlog:class+load:file=" + log);
             command.redirectInput(Path.of("/dev/null").toFile());
             outcome(command);

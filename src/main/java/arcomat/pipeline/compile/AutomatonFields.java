@@ -12,13 +12,14 @@ import arcomat.semantics.automaton.Input;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
- * Where an instance of time-synchronous code is: the state of its automaton, its variables, and what
- * its inputs show. Read when its step begins, it is what the step reads.
+ * Where an instance of time-synchronous code is: the state of its automaton, its variables, and
+ * what its inputs show. Read when its step begins, it is what the step reads.
  */
 public final class AutomatonFields {
-    private final Slot state;
+    private final Optional<Slot> state;
     private final List<Held> variables = new ArrayList<>();
     private final List<HeldMessage> inputs = new ArrayList<>();
     private final ModelValues values;
@@ -34,14 +35,16 @@ public final class AutomatonFields {
         CodeLayout.Place place =
                 Objects.requireNonNull(layout.components().get(component.qualifiedName()));
         values = new ModelValues(layout.classes());
-        state = new Slot(object, place.state());
+        // Who can only be in one state does not note it.
+        state =
+                automaton.states().size() > 1
+                        ? Optional.of(new Slot(object, place.state()))
+                        : Optional.empty();
         for (Variable each : automaton.variables()) {
             String field = Objects.requireNonNull(place.variables().get(each.name()));
             variables.add(new Held(new Slot(object, field), each.type()));
         }
-        component
-                .inputs()
-                .forEach(port -> inputs.add(HeldMessage.of(port, object, place, values)));
+        component.inputs().forEach(port -> inputs.add(HeldMessage.of(port, object, place, values)));
     }
 
     public Configuration configuration() {
@@ -49,7 +52,7 @@ public final class AutomatonFields {
         for (int i = 0; i < held.length; i++) {
             held[i] = values.of(variables.get(i).slot().get(), variables.get(i).type());
         }
-        return new Configuration(state.getInt(), held);
+        return new Configuration(state.map(Slot::getInt).orElse(0), held);
     }
 
     public Input input() {

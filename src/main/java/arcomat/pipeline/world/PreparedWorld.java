@@ -152,9 +152,7 @@ public final class PreparedWorld {
         return recorder.recording();
     }
 
-    /**
-     * The same, with why transitions of the robots' programs did not fire. That takes longer.
-     */
+    /** The same, with why transitions of the robots' programs did not fire. That takes longer. */
     public Recording explain(Seeds seeds, Duration patience, Limits limits) {
         Map<String, Refusing> refusing = new LinkedHashMap<>();
         Map<String, WorldPrograms.Equipment> probed = new LinkedHashMap<>(equipment);

@@ -37,8 +37,7 @@ final class Refusing {
     private final Map<Object, Part> parts = new IdentityHashMap<>();
 
     /** A part as it runs. */
-    private record Part(
-            String path, StepRelation relation, WhyNot whyNot, AutomatonFields fields) {
+    private record Part(String path, StepRelation relation, WhyNot whyNot, AutomatonFields fields) {
         Optional<Refusal> nearest() {
             Configuration configuration = fields.configuration();
             Input input = fields.input();

@@ -63,8 +63,7 @@ final class WorldPrograms {
             @Nullable LoadedProgram program, Optional<CodeLayout> layout, PluggedDevices devices) {
         /** The same, with a program that tells when its parts take their steps. */
         Equipment probed(Refusing refusing) {
-            return new Equipment(
-                    refusing.probed(Objects.requireNonNull(program)), layout, devices);
+            return new Equipment(refusing.probed(Objects.requireNonNull(program)), layout, devices);
         }
     }
 

@@ -128,7 +128,8 @@ final class WorldRecorder implements Witness {
     }
 
     Recording recording() {
-        return new Recording(world, seeds, frames, events, failures, List.copyOf(blind), late(), idle());
+        return new Recording(
+                world, seeds, frames, events, failures, List.copyOf(blind), late(), idle());
     }
 
     private List<Recording.Late> late() {

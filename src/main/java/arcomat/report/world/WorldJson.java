@@ -51,8 +51,8 @@ public final class WorldJson {
     }
 
     /**
-     * {@code {"texts": [...], "parts": [{"robot", "part", "reasons": [t, text, t, text]}]}}: the same
-     * reasons come again and again, and are told by their numbers.
+     * {@code {"texts": [...], "parts": [{"robot", "part", "reasons": [t, text, t, text]}]}}: the
+     * same reasons come again and again, and are told by their numbers.
      */
     private static Optional<Fields> idle(List<Recording.Idle> idle) {
         Map<String, Integer> texts = new LinkedHashMap<>();
@@ -72,8 +72,7 @@ public final class WorldJson {
         }
         return parts.isEmpty()
                 ? Optional.empty()
-                : Optional.of(
-                        Fields.of("texts", List.copyOf(texts.keySet())).with("parts", parts));
+                : Optional.of(Fields.of("texts", List.copyOf(texts.keySet())).with("parts", parts));
     }
 
     /** Other seeds from some moments on; absent where there are none. */

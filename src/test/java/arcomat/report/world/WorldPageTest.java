@@ -48,7 +48,11 @@ class WorldPageTest {
                 Map.of("one", NASTY),
                 List.of(),
                 List.of(),
-                List.of(new Idle("one", "pilot", List.of(new Reason(0, NASTY), new Reason(100, "")))));
+                List.of(
+                        new Idle(
+                                "one",
+                                "pilot",
+                                List.of(new Reason(0, NASTY), new Reason(100, "")))));
     }
 
     @Test
