@@ -1,5 +1,5 @@
 /*
- * UML/P class diagrams, as far as they define message types.
+ * UML/P class diagrams: the types of messages, and what the older tools wrote beside them.
  */
 grammar ClassDiagram;
 
@@ -10,14 +10,76 @@ classDiagramUnit
     ;
 
 classDiagram
-    : 'classdiagram' name '{' typeDefinition* '}'
+    : stereotypes? 'classdiagram' name '{' typeDefinition* '}'
     ;
 
 typeDefinition
-    : 'enum' name '{' (constants += name (',' constants += name)*)? ','? ';'? '}' ';'?      # enumDefinition
-    | 'class' name ('extends' type)? ('{' attribute* '}' | ';')             # classDefinition
+    : stereotypes? typeModifier* 'enum' name implemented?
+      '{' (enumConstant (',' enumConstant)*)? ','? (';' typeMember*)? '}' ';'?                 # enumDefinition
+    | stereotypes? typeModifier* 'class' name ('extends' type)? implemented? typeBody         # classDefinition
+    | stereotypes? typeModifier* 'interface' name ('extends' type (',' type)*)? typeBody      # interfaceDefinition
+    | stereotypes? 'type' name ';'                                                            # opaqueDefinition
+    | stereotypes? typeModifier* kind = ('association' | 'aggregation' | 'composition') name?
+      leftEnd associationArrow rightEnd ';'                                                   # associationDefinition
     ;
 
-attribute
-    : type name ';'
+typeModifier
+    : 'public' | 'protected' | 'private' | 'abstract' | 'final' | 'static' | 'derived'
+    | '+' | '#' | '-' | '/'
+    ;
+
+implemented
+    : 'implements' type (',' type)*
+    ;
+
+enumConstant
+    : name arguments?
+    ;
+
+typeBody
+    : '{' typeMember* '}' ';'?
+    | ';'
+    ;
+
+typeMember
+    : stereotypes? typeModifier* type name ('=' expression)? ';'            # attributeMember
+    | stereotypes? typeModifier* result = type? name methodParameters
+      ('throws' thrown += type (',' thrown += type)*)? (javaBlock | ';')                        # methodMember
+    ;
+
+methodParameters
+    : '(' (methodParameter (',' methodParameter)*)? ')'
+    ;
+
+methodParameter
+    : type name
+    ;
+
+// Two characters each: with "<-" and "<->" in one, "a <-b" would be no comparison.
+associationArrow
+    : '->'
+    | '<' '->'
+    | '<' '-'
+    | '--'
+    ;
+
+leftEnd
+    : cardinality? qualifiedName qualifier? role?
+    ;
+
+rightEnd
+    : role? qualifier? qualifiedName cardinality?
+    ;
+
+cardinality
+    : '[' ('*' | INT ('..' (INT | '*'))?) ']'
+    ;
+
+qualifier
+    : '[' '[' name ']' ']'
+    | '[' type ']'
+    ;
+
+role
+    : '(' name ')'
     ;

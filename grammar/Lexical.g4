@@ -25,16 +25,26 @@ qualifiedName
 
 name
     : ID
-    | 'abstract' | 'alt' | 'autoconnect' | 'autoinstantiate' | 'automaton' | 'behavior' | 'call'
-    | 'causalsync' | 'class' | 'classdiagram' | 'component' | 'compute' | 'connect' | 'delayed'
-    | 'deploy' | 'enum' | 'events' | 'expect' | 'extends' | 'for' | 'implementation' | 'import'
-    | 'in' | 'init' | 'initial' | 'input' | 'instant' | 'inv' | 'off' | 'on' | 'out' | 'output'
-    | 'package' | 'port' | 'ports' | 'refines' | 'state' | 'super' | 'sync' | 'table' | 'test'
-    | 'testsuite' | 'timing' | 'type' | 'untimed' | 'var' | 'variable'
+    | 'abstract' | 'aggregation' | 'alt' | 'association' | 'autoconnect' | 'autoinstantiate'
+    | 'automaton' | 'behavior' | 'call' | 'causalsync' | 'class' | 'classdiagram' | 'component'
+    | 'composition' | 'compute' | 'connect' | 'delayed' | 'deploy' | 'derived' | 'do' | 'enum' | 'events'
+    | 'expect' | 'extends' | 'final' | 'for' | 'implementation' | 'implements' | 'import' | 'in'
+    | 'init' | 'initial' | 'input' | 'instant' | 'interface' | 'inv' | 'off' | 'on' | 'out'
+    | 'output' | 'package' | 'port' | 'ports' | 'private' | 'protected' | 'public' | 'refines'
+    | 'state' | 'static' | 'super' | 'sync' | 'table' | 'test' | 'testsuite' | 'throws' | 'timing'
+    | 'type' | 'untimed' | 'var' | 'variable'
     ;
 
 literal
     : kind = ('true' | 'false' | INT | LONG | FLOAT | DOUBLE | CHAR | STRING | 'null')
+    ;
+
+stereotypes
+    : '<' '<' stereotype (',' stereotype)* '>' '>'
+    ;
+
+stereotype
+    : name ('=' (literal | word = name))?
     ;
 
 // Foreign text: kept as it is, so every token may stand in it, unknown characters included.

@@ -80,6 +80,10 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
 
     @Override
     public Expression parameterRead(TypedExpression.ParameterRead read) {
+        Expression settled = environment.settled().get(read.parameter());
+        if (settled != null) {
+            return settled;
+        }
         String name = read.parameter().name();
         Expression argument = environment.arguments().get(name);
         return argument != null
@@ -185,7 +189,7 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
 
     @Override
     public Expression newObject(TypedExpression.NewObject object) {
-        Type.ClassType type = TypeLowering.object(object.type());
+        Type.ClassType type = TypeLowering.constructed(object.type());
         List<Value> attributes = new ArrayList<>();
         for (int i = 0; i < object.arguments().size(); i++) {
             Type attribute = type.attributes().get(i).type();

@@ -4,6 +4,7 @@ import arcomat.model.Type;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.RangeType;
 import arcomat.symbols.names.TypeSymbol;
 
@@ -29,8 +30,16 @@ final class TypeLowering {
         if (type instanceof EnumSymbol enumeration) {
             return enumeration(enumeration);
         }
+        return constructed(type);
+    }
+
+    /** A type of objects. */
+    static Type.ClassType constructed(TypeSymbol type) {
         if (type instanceof ClassSymbol object) {
             return object(object);
+        }
+        if (type instanceof OpaqueSymbol opaque) {
+            return opaque(opaque);
         }
         throw new IllegalStateException("no type of the model: " + type.text());
     }
@@ -39,12 +48,19 @@ final class TypeLowering {
         return new Type.EnumType(symbol.qualifiedName(), symbol.constants());
     }
 
-    static Type.ClassType object(ClassSymbol symbol) {
+    private static Type.ClassType object(ClassSymbol symbol) {
         List<Type.Attribute> attributes = new ArrayList<>();
         for (ClassSymbol.AttributeSymbol attribute : symbol.attributes()) {
             attributes.add(new Type.Attribute(attribute.name(), lower(attribute.type())));
         }
         return new Type.ClassType(symbol.qualifiedName(), attributes);
+    }
+
+    /** Its messages differ in one text, which no model reads. */
+    private static Type.ClassType opaque(OpaqueSymbol symbol) {
+        return new Type.ClassType(
+                symbol.qualifiedName(),
+                List.of(new Type.Attribute(OpaqueSymbol.NAME, new Type.StringType())));
     }
 
     private static Type builtin(BuiltinType type) {

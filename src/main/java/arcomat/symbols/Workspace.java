@@ -14,6 +14,7 @@ import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.Index;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Names;
+import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.UnitScope;
 import arcomat.symbols.signatures.Signature;
@@ -141,6 +142,9 @@ public final class Workspace {
             UnitScope scope, ClassDiagram.TypeDefinition node, String qualifiedName) {
         if (node instanceof ClassDiagram.EnumDefinition definition) {
             return new EnumSymbol(scope.unit(), definition, qualifiedName);
+        }
+        if (node instanceof ClassDiagram.NamedType definition) {
+            return new OpaqueSymbol(scope.unit(), definition, qualifiedName);
         }
         return new ClassSymbol(
                 scope.unit(), scope::type, (ClassDiagram.ClassDefinition) node, qualifiedName);

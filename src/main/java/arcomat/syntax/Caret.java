@@ -35,11 +35,28 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
                     "classdiagram",
                     "class",
                     "enum",
+                    "interface",
                     "testsuite",
                     "test",
                     "input",
                     "expect",
                     "events");
+
+    /** What may stand in front of the word that tells what begins. */
+    private static final Set<String> MODIFIERS =
+            Set.of(
+                    "abstract",
+                    "deploy",
+                    "public",
+                    "protected",
+                    "private",
+                    "final",
+                    "static",
+                    "derived",
+                    "+",
+                    "#",
+                    "-",
+                    "/");
 
     public Caret {
         around = around.stream().map(List::copyOf).toList();
@@ -155,7 +172,7 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
                     depth++;
                 } else if (text.equals(">")) {
                     depth--;
-                } else if (depth == 0 && !text.equals("abstract") && !text.equals("deploy")) {
+                } else if (depth == 0 && !MODIFIERS.contains(text)) {
                     return text;
                 }
             }

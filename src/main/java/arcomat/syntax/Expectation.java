@@ -75,6 +75,7 @@ final class Expectation {
                 && types.contains(ArcomatLexer.CLOSE_BRACE)) {
             take(ArcomatParser.RULE_automatonElement, "an element of an automaton");
         }
+        take(ArcomatParser.RULE_typeDefinition, "the definition of a type");
         take(ArcomatParser.RULE_value, "a message");
         take(ArcomatParser.RULE_expression, "an expression");
         take(ArcomatParser.RULE_message, "a message");

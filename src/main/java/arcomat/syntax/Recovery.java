@@ -33,9 +33,10 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_importDeclaration,
                     ArcomatParser.RULE_element,
                     ArcomatParser.RULE_automatonElement,
+                    ArcomatParser.RULE_statement,
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_typeMember,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart,
                     ArcomatParser.RULE_portStream,
@@ -45,6 +46,7 @@ final class Recovery extends DefaultErrorStrategy {
     private static final Set<Integer> WITH_BODY =
             Set.of(
                     ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_statement,
                     ArcomatParser.RULE_typeDefinition,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart);
@@ -54,10 +56,12 @@ final class Recovery extends DefaultErrorStrategy {
             Set.of(
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_statements,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_classDiagram,
                     ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_typeBody,
                     ArcomatParser.RULE_testSuite,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart);
@@ -159,7 +163,10 @@ final class Recovery extends DefaultErrorStrategy {
 
     private void skip(Parser parser, int start, boolean hasBody) {
         TokenStream tokens = parser.getInputStream();
-        skipTo(parser, ElementEnd.find(tokens, start, tokens.index(), hasBody));
+        int rule = parser.getContext().getRuleIndex();
+        boolean isStatement =
+                rule == ArcomatParser.RULE_statement || rule == ArcomatParser.RULE_statements;
+        skipTo(parser, ElementEnd.find(tokens, start, tokens.index(), hasBody, isStatement));
         resumedAt = tokens.index();
     }
 

@@ -111,7 +111,7 @@ final class SyntaxErrorMessage {
                             found.getText().repeat(2),
                             found.getText().equals("&") ? "and" : "or");
         }
-        if (found.getType() == ArcomatLexer.UNKNOWN) {
+        if (found.getType() == ArcomatLexer.UNKNOWN || found.getText().equals("#")) {
             return "The character " + quoted + " has no meaning here. Remove it.";
         }
         if (found.getText().equals("=") && isInCondition()) {

@@ -3,6 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
+import arcomat.model.ExpressionText;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
@@ -20,11 +21,35 @@ final class DeadTransition extends Analysis {
     List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int i = 0; i < subject.automaton().transitions().size(); i++) {
-            if (knowledge.neverHappens(new RunProperty.Enabled(i))) {
+            if (isDead(i, knowledge) && !isToldBefore(i, knowledge)) {
                 findings.add(Finding.never(diagnostic(i, knowledge)));
             }
         }
         return findings;
+    }
+
+    private static boolean isDead(int transition, Knowledge knowledge) {
+        return knowledge.neverHappens(new RunProperty.Enabled(transition));
+    }
+
+    /** A transition with choices, of which no way can be taken, is told once. */
+    private boolean isToldBefore(int transition, Knowledge knowledge) {
+        List<Integer> ways = subject.ways(transition);
+        return ways.get(0) != transition && ways.stream().allMatch(each -> isDead(each, knowledge));
+    }
+
+    /** Of some ways through the statements of a transition it says where they lead. */
+    private String name(int transition, Knowledge knowledge) {
+        String move = "transition " + subject.move(transition);
+        return subject.ways(transition).stream().allMatch(each -> isDead(each, knowledge))
+                ? move
+                : "the way through %s where %s"
+                        .formatted(
+                                move,
+                                subject.transition(transition)
+                                        .guard()
+                                        .map(ExpressionText::of)
+                                        .orElse("nothing is asked"));
     }
 
     private Diagnostic diagnostic(int transition, Knowledge knowledge) {
@@ -36,6 +61,6 @@ final class DeadTransition extends Analysis {
         return Diagnostic.warning(
                 CODE,
                 subject.transition(transition).span(),
-                "transition %s can never be taken: %s".formatted(subject.move(transition), reason));
+                "%s can never be taken: %s".formatted(name(transition, knowledge), reason));
     }
 }

@@ -2,6 +2,7 @@ package arcomat.check.diagrams;
 
 import static arcomat.check.law.Law.Needs.ALL;
 import static arcomat.check.law.Law.error;
+import static arcomat.check.law.Law.warning;
 import static arcomat.check.law.Law.warningThenError;
 
 import arcomat.check.law.Law;
@@ -15,6 +16,7 @@ public final class DiagramLaws {
                     error("ARC0603", new AttributesUnique()),
                     error("ARC0607", new ClassContainsItself()),
                     error("ARC0604", new ClassInheritanceAcyclic()),
+                    warning("ARC0609", new DiagramDefinesTypes()),
                     error("ARC0601", new DiagramTypesUnique()),
                     error("ARC0602", new EnumConstantsUnique()),
                     warningThenError("ARC0608", new EnumFitsClass()),

@@ -50,7 +50,7 @@ public final class Connections {
     }
 
     private static boolean isWrong(End end) {
-        return end.status() != Status.RESOLVED && end.status() != Status.EXCUSED;
+        return !end.isResolved() && end.status() != Status.EXCUSED;
     }
 
     /** Whether the component of some part does not resolve. */

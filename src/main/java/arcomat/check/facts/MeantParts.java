@@ -15,11 +15,20 @@ public final class MeantParts {
                 .toList();
     }
 
-    /** Whether something with this name was meant to be a part. */
+    /**
+     * Whether something with this name was meant to be a part, or may have been: its type may be
+     * defined in a file with errors.
+     */
     public static boolean isNamed(String name, ComponentSymbol component) {
-        return in(component).stream()
+        return component.node().elements(Element.Variables.class).stream()
+                .filter(each -> mayBePart(each, component))
                 .flatMap(each -> each.variables().stream())
                 .anyMatch(each -> each.name().text().equals(name));
+    }
+
+    private static boolean mayBePart(Element.Variables variables, ComponentSymbol component) {
+        return !component.resolveType(variables.type()).isFound()
+                && !component.signature().resolveComponent(variables.type().name()).isUnknown();
     }
 
     private static boolean isPart(Element.Variables variables, ComponentSymbol component) {

@@ -11,7 +11,11 @@ public enum Carrier {
     AUTOINSTANTIATE("an autoinstantiate clause"),
     AUTOMATON("an automaton"),
     TABLE("an I/O table"),
-    STATE("a state");
+    STATE("a state"),
+    CLASS_DIAGRAM("a class diagram"),
+    TYPE("a type"),
+    ATTRIBUTE("an attribute"),
+    ASSOCIATION("an association");
 
     private final String words;
 

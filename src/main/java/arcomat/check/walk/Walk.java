@@ -12,10 +12,7 @@ import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
-import arcomat.symbols.names.ClassSymbol;
-import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
-import arcomat.symbols.names.EnumSymbol;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
@@ -38,6 +35,7 @@ public final class Walk {
     private final ExpressionWalk expressions;
     private final BehaviourWalk behaviours;
     private final ComponentWalk components;
+    private final DiagramWalk diagrams;
 
     public Walk(Workspace workspace, Profile profile, Listeners listeners) {
         this.workspace = workspace;
@@ -46,6 +44,7 @@ public final class Walk {
         StereotypeWalk stereotypes = new StereotypeWalk(listeners, suppressions);
         this.expressions = new ExpressionWalk(listeners);
         this.behaviours = new BehaviourWalk(listeners, stereotypes, expressions);
+        this.diagrams = new DiagramWalk(listeners, stereotypes, expressions);
         this.components = new ComponentWalk(listeners, stereotypes, expressions, behaviours);
     }
 
@@ -60,7 +59,7 @@ public final class Walk {
             add(wanted, each.unit(), (walk, at) -> walk.behaviours.automaton(each, at), steps);
         }
         for (DiagramSymbol each : workspace.diagrams()) {
-            add(wanted, each.unit(), (walk, at) -> walk.classDiagram(each, at), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.diagrams.classDiagram(each, at), steps);
         }
         for (TestSuiteSymbol each : workspace.testSuites()) {
             add(wanted, each.unit(), (walk, at) -> walk.testSuite(each, at), steps);
@@ -113,34 +112,12 @@ public final class Walk {
         }
     }
 
-    private void classDiagram(DiagramSymbol diagram, Context context) {
-        for (Listener<Check.OnClassDiagram> each : listeners.onClassDiagram) {
-            each.check().check(diagram, context, each.findings());
-        }
-        for (DefinedType type : diagram.types()) {
-            if (type instanceof ClassSymbol symbol) {
-                for (Listener<Check.OnClass> each : listeners.onClass) {
-                    each.check().check(symbol, context, each.findings());
-                }
-                symbol.node().superClass().ifPresent(above -> expressions.type(above, context));
-                symbol.node().attributes().forEach(a -> expressions.type(a.type(), context));
-            } else if (type instanceof EnumSymbol symbol) {
-                for (Listener<Check.OnEnum> each : listeners.onEnum) {
-                    each.check().check(symbol.node(), context, each.findings());
-                }
-            }
-        }
-    }
-
     private void testSuite(TestSuiteSymbol suite, Context context) {
         expressions.name(suite.node().component());
         for (Listener<Check.OnTestSuite> each : listeners.onTestSuite) {
             each.check().check(suite, context, each.findings());
         }
-        expressions.arguments(
-                suite.arguments(),
-                suite.component().found().map(ComponentSymbol::parameters).orElse(List.of()),
-                context);
+        expressions.arguments(suite.arguments(), context);
         for (TestSuite.Member member : suite.node().members()) {
             if (member instanceof TestSuite.Field field) {
                 expressions.type(field.type(), context);

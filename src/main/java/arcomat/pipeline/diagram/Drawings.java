@@ -124,7 +124,10 @@ final class Drawings {
             return new TypesGraph.TypeBox(
                     name, true, constants, Optional.empty(), node.name().span());
         }
-        ClassDiagram.ClassDefinition definition = (ClassDiagram.ClassDefinition) node;
+        if (!(node instanceof ClassDiagram.ClassDefinition definition)) {
+            return new TypesGraph.TypeBox(
+                    name, false, List.of(), Optional.empty(), node.name().span());
+        }
         List<String> attributes =
                 definition.attributes().stream()
                         .map(each -> each.name().text() + ": " + each.type().span().text())

@@ -36,6 +36,8 @@ public record ConnectorSymbol(
     /** Why an end does not resolve, or that it does. */
     public enum Status {
         RESOLVED,
+        /** It names a part, and it is clear which of its ports is meant. */
+        COMPLETED,
         /** Not {@code port} and not {@code instance.port}. */
         MALFORMED,
         /**
@@ -65,7 +67,12 @@ public record ConnectorSymbol(
             Optional<InstanceSymbol> instance,
             Optional<PortSymbol> port) {
         public boolean isResolved() {
-            return status == Status.RESOLVED;
+            return status == Status.RESOLVED || status == Status.COMPLETED;
+        }
+
+        /** Whether it names a part, and it is not clear which of its ports is meant. */
+        public boolean namesPart() {
+            return status == Status.NO_SUCH_PORT && instance.isPresent();
         }
 
         /** Whether messages come out of it inside the component. */
@@ -83,6 +90,21 @@ public record ConnectorSymbol(
             String name = port.map(PortSymbol::name).orElse(text);
             return instance.map(i -> i.name() + "." + name).orElse(name);
         }
+    }
+
+    /**
+     * Both ends of a connector, which may be completed together.
+     *
+     * @param source where messages come from
+     */
+    public record Ends(End source, End target) {}
+
+    /**
+     * What may be meant where an end names a part and leaves out its port: all pairs of ports that
+     * fit.
+     */
+    public List<Ends> candidates() {
+        return PartEnds.candidates(new Ends(source, target));
     }
 
     public boolean isResolved() {

@@ -2,6 +2,7 @@ package arcomat.symbols.bodies;
 
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Ends;
 import arcomat.symbols.bodies.ConnectorSymbol.Origin;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.expressions.PortSymbol;
@@ -71,16 +72,18 @@ final class Connectors {
             List<Stereotype> stereotypes,
             End source,
             List<QualifiedName> targets) {
-        for (QualifiedName target : targets) {
+        List<Ends> written =
+                targets.stream().map(each -> new Ends(source, end(each, each.parts()))).toList();
+        for (Ends ends : PartEnds.complete(written)) {
             found.add(
                     new ConnectorSymbol(
                             component,
                             origin,
                             node,
-                            target.span(),
+                            ends.target().span(),
                             stereotypes,
-                            source,
-                            end(target, target.parts())));
+                            ends.source(),
+                            ends.target()));
         }
     }
 

@@ -3,6 +3,9 @@ package arcomat.symbols.expressions;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
 import arcomat.symbols.names.UnknownType;
@@ -24,6 +27,9 @@ final class ObjectTyping {
     private final UnitScope unitScope;
     private final Problems problems;
     private final BiFunction<Expression, TypeSymbol, TypedExpression> typing;
+
+    /** What an object is made of. */
+    private record Slot(String name, TypeSymbol type) {}
 
     /**
      * @param typing types the values of attributes
@@ -62,7 +68,7 @@ final class ObjectTyping {
 
     /** The object that a call constructs; empty for the call of a method. */
     Optional<TypedExpression> type(Expression.Call call) {
-        Optional<ClassSymbol> type = constructed(call);
+        Optional<DefinedType> type = constructed(call);
         if (type.isEmpty() && call.target().isEmpty()) {
             return Optional.of(
                     problems.erroneous(
@@ -74,8 +80,8 @@ final class ObjectTyping {
         return type.map(symbol -> object(call, symbol));
     }
 
-    /** The class that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
-    private Optional<ClassSymbol> constructed(Expression.Call call) {
+    /** The class or opaque type that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
+    private Optional<DefinedType> constructed(Expression.Call call) {
         List<Name> parts = new ArrayList<>();
         if (call.target().isPresent()) {
             if (!(call.target().get() instanceof Expression.Reference target)) {
@@ -87,12 +93,13 @@ final class ObjectTyping {
         return unitScope
                 .type(new QualifiedName(call.span(), List.copyOf(parts)))
                 .found()
-                .filter(ClassSymbol.class::isInstance)
-                .map(ClassSymbol.class::cast);
+                .filter(DefinedType.class::isInstance)
+                .map(DefinedType.class::cast)
+                .filter(type -> !(type instanceof EnumSymbol));
     }
 
-    private TypedExpression object(Expression.Call call, ClassSymbol type) {
-        List<ClassSymbol.AttributeSymbol> attributes = type.attributes();
+    private TypedExpression object(Expression.Call call, DefinedType type) {
+        List<Slot> attributes = slots(type);
         List<TypedExpression> values = new ArrayList<>();
         for (Expression argument : call.arguments()) {
             int i = values.size();
@@ -118,11 +125,17 @@ final class ObjectTyping {
         return new TypedExpression.NewObject(call, type, values);
     }
 
+    private static List<Slot> slots(DefinedType type) {
+        return type instanceof ClassSymbol symbol
+                ? symbol.attributes().stream().map(a -> new Slot(a.name(), a.type())).toList()
+                : List.of(new Slot(OpaqueSymbol.NAME, BuiltinType.STRING));
+    }
+
     private static String count(int number, String noun) {
         return number + " " + noun + (number == 1 ? "" : "s");
     }
 
-    private void checkValue(ClassSymbol.AttributeSymbol attribute, TypedExpression value) {
+    private void checkValue(Slot attribute, TypedExpression value) {
         if (!TypeRules.isAssignable(value, attribute.type())) {
             problems.report(
                     Kind.OPERAND_TYPE,

@@ -2,6 +2,7 @@ package arcomat.symbols.expressions;
 
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
@@ -266,8 +267,8 @@ public sealed interface TypedExpression {
         }
     }
 
-    /** {@code Cup(5)}, in stream tests only. */
-    record NewObject(Expression.Call node, ClassSymbol type, List<TypedExpression> arguments)
+    /** {@code Cup(5)}, in stream tests only; of a class or of an opaque type. */
+    record NewObject(Expression.Call node, DefinedType type, List<TypedExpression> arguments)
             implements TypedExpression {
         public NewObject {
             arguments = List.copyOf(arguments);

@@ -5,7 +5,8 @@ import arcomat.tree.ClassDiagram;
 import arcomat.tree.Unit;
 
 /** A type that a class diagram defines. */
-public abstract sealed class DefinedType implements TypeSymbol permits EnumSymbol, ClassSymbol {
+public abstract sealed class DefinedType implements TypeSymbol
+        permits EnumSymbol, ClassSymbol, OpaqueSymbol {
     private final Unit unit;
     private final String qualifiedName;
 

@@ -176,6 +176,7 @@ public final class UnitScope {
         boolean excused =
                 single.stream().anyMatch(i -> isElsewhere(i, name))
                         || index.isExcused(Names.join(unit.packageText(), text))
+                        || index.isExcused(Names.join(home, text))
                         || !name.isSimple() && index.isExcused(text)
                         || leadsNowhere.get()
                         || wildcardImports.get().stream()

@@ -80,6 +80,7 @@ final class ComponentPlaces implements Element.Visitor {
                                             .flatMap(ComponentReference::component);
                             component(type.name(), above);
                             places.arguments(type.arguments(), component::resolveType);
+                            expressions.arguments(signature.superArguments());
                         });
         for (Signature.Refinement refinement : signature.refines()) {
             component(refinement.node(), refinement.resolution().found());
@@ -118,7 +119,7 @@ final class ComponentPlaces implements Element.Visitor {
                 places.declared(part.nameSpan(), new Referent.Part(part));
             }
             if (part.node() != last) {
-                expressions.in(part.arguments());
+                expressions.arguments(part.arguments());
                 part(part);
             }
             last = part.node();
@@ -214,9 +215,13 @@ final class ComponentPlaces implements Element.Visitor {
 
     private void end(QualifiedName written, End end, Role role) {
         end.port()
+                .filter(port -> end.status() != Status.COMPLETED)
                 .ifPresent(
                         port -> places.add(written.last().span(), new Referent.Port(port), role));
-        boolean namesPart = !written.isSimple() || end.status() == Status.NO_SUCH_PORT;
+        boolean namesPart =
+                !written.isSimple()
+                        || end.status() == Status.NO_SUCH_PORT
+                        || end.status() == Status.COMPLETED;
         if (namesPart) {
             end.instance()
                     .ifPresent(

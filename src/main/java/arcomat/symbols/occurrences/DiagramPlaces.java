@@ -6,6 +6,7 @@ import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.UnitScope;
+import arcomat.tree.ClassDiagram;
 
 /** Names in a class diagram. */
 record DiagramPlaces(NamePlaces places, UnitScope scope) {
@@ -17,9 +18,14 @@ record DiagramPlaces(NamePlaces places, UnitScope scope) {
             places.declared(type.nameSpan(), new Referent.Type(type));
             if (type instanceof EnumSymbol enumeration) {
                 constants(enumeration);
-            } else {
-                attributes((ClassSymbol) type);
+            } else if (type instanceof ClassSymbol symbol) {
+                attributes(symbol);
             }
+            type.node().interfaces().forEach(above -> places.type(above, scope::type));
+        }
+        for (ClassDiagram.Association association : diagram.node().associations()) {
+            places.type(association.left().type(), scope::type);
+            places.type(association.right().type(), scope::type);
         }
     }
 

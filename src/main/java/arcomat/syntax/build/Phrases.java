@@ -130,6 +130,11 @@ final class Phrases {
         return type(context, qualifiedName(names(context.name())), null, null);
     }
 
+    /** The type that a name stands for alone. */
+    TypeReference type(ArcomatParser.QualifiedNameContext context) {
+        return type(context, qualifiedName(context), null, null);
+    }
+
     List<TypeReference> types(List<ArcomatParser.TypeContext> contexts) {
         return each(contexts, this::type);
     }

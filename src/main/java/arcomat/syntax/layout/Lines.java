@@ -108,7 +108,10 @@ final class Lines {
         if (token == parent.start && opensPartOfTransition(parent)) {
             return 1;
         }
-        boolean word = token.getText().equals("extends") || token.getText().equals("refines");
+        boolean word =
+                token.getText().equals("extends")
+                        || token.getText().equals("refines")
+                        || token.getText().equals("implements");
         return word && depth == 0 ? 0 : -1;
     }
 

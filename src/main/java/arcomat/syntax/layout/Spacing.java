@@ -39,7 +39,8 @@ final class Spacing {
                     !structure.opensBody(token)
                             && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "-", "+" -> isSign(parent);
-            case "<" -> isBracket(parent);
+            case "<" ->
+                    isBracket(parent) || parent instanceof ArcomatParser.AssociationArrowContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };
@@ -54,6 +55,8 @@ final class Spacing {
                             && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "(" ->
                     parent instanceof ArcomatParser.ArgumentsContext
+                            || parent instanceof ArcomatParser.ComponentArgumentsContext
+                            || parent instanceof ArcomatParser.MethodParametersContext
                             || parent instanceof ArcomatParser.ParametersContext
                             || parent instanceof ArcomatParser.RepeatedGroupContext;
             case "[" ->
@@ -64,7 +67,9 @@ final class Spacing {
             case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);
             case ">" -> isBracket(parent);
-            case "++", "--" -> parent instanceof ArcomatParser.ItemContext;
+            case "++", "--" ->
+                    parent instanceof ArcomatParser.ItemContext
+                            || parent instanceof ArcomatParser.StepStatementContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };

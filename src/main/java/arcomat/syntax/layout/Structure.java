@@ -31,7 +31,7 @@ final class Structure {
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_classDiagram,
                     ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_typeMember,
                     ArcomatParser.RULE_testSuite,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart,
@@ -42,6 +42,7 @@ final class Structure {
             Set.of(
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_statements,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_classDiagram,
@@ -119,7 +120,9 @@ final class Structure {
     }
 
     private void visitOne(ParserRuleContext context, int level) {
-        if (STARTING_LINES.contains(context.getRuleIndex())) {
+        if (STARTING_LINES.contains(context.getRuleIndex()) || isStatementOfItsOwn(context)) {
+            markLine(context.start, level);
+        } else if (context instanceof ArcomatParser.EnumConstantContext && isFirstOfBody(context)) {
             markLine(context.start, level);
         } else if (context instanceof ArcomatParser.PortContext
                 && context.getParent() == spreadPorts) {
@@ -151,6 +154,12 @@ final class Structure {
         }
     }
 
+    /** A branch of a choice begins behind its condition. */
+    private static boolean isStatementOfItsOwn(ParserRuleContext context) {
+        return context.getRuleIndex() == ArcomatParser.RULE_statement
+                && context.getParent() instanceof ArcomatParser.StatementsContext;
+    }
+
     /** The brace of an empty body stays on the line, unless a comment lies in between. */
     private void closeLine(ParserRuleContext context, int child, Token brace, int level) {
         boolean empty =
@@ -171,6 +180,18 @@ final class Structure {
         int text = leaves.stream().mapToInt(leaf -> leaf.getText().length()).sum();
         int length = text + leaves.size() + 4 * level;
         return ports.port().size() > 1 && (hasComments || length > Wrapping.WIDTH);
+    }
+
+    /** Of an enum whose constants are not all that it holds. */
+    private static boolean isFirstOfBody(ParserRuleContext constant) {
+        ParserRuleContext parent = constant.getParent();
+        return hasMembers(parent)
+                && ((ArcomatParser.EnumDefinitionContext) parent).enumConstant(0) == constant;
+    }
+
+    private static boolean hasMembers(ParserRuleContext context) {
+        return context instanceof ArcomatParser.EnumDefinitionContext definition
+                && !definition.typeMember().isEmpty();
     }
 
     private static List<TerminalNode> leaves(ParseTree tree) {
@@ -195,7 +216,8 @@ final class Structure {
 
     private static boolean hasBody(ParserRuleContext context) {
         return WITH_BODY.contains(context.getRuleIndex())
-                || context instanceof ArcomatParser.ClassDefinitionContext
+                || context.getRuleIndex() == ArcomatParser.RULE_typeBody
+                || hasMembers(context)
                 || context instanceof ArcomatParser.TestMemberContext
                 || context instanceof ArcomatParser.StreamsPartContext
                 || context instanceof ArcomatParser.EventsPartContext;

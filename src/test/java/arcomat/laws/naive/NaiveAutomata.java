@@ -92,11 +92,8 @@ final class NaiveAutomata {
         for (Automaton automaton : automata) {
             List<Step> own = new ArrayList<>();
             Map<String, Value> variables = new HashMap<>();
-            for (Variable variable : automaton.variables()) {
-                variables.put(
-                        variable.name(),
-                        new NaiveValues(Map.of(), Map.of()).of(variable.initial()));
-            }
+            component.constants().forEach(constant -> put(constant, variables));
+            automaton.variables().forEach(variable -> put(variable, variables));
             NaiveValues values = new NaiveValues(Map.of(), variables);
             for (Automaton.Initial initial : automaton.initials()) {
                 Step step =
@@ -114,6 +111,11 @@ final class NaiveAutomata {
             each.add(own);
         }
         return joint(each);
+    }
+
+    private static void put(Variable variable, Map<String, Value> values) {
+        NaiveValues known = new NaiveValues(Map.of(), Map.copyOf(values));
+        values.put(variable.name(), known.of(variable.initial()));
     }
 
     Steps steps(List<Place> places, Map<String, Value> inputs, boolean unknownEvent) {
@@ -138,7 +140,7 @@ final class NaiveAutomata {
         for (Automaton.Transition each : automaton.transitions()) {
             try {
                 boolean from = each.source() == place.state && !unknownEvent;
-                if (from && isEnabled(each, values)) {
+                if (from && isEnabled(each, values) && isFirst(automaton, each, values)) {
                     steps.add(
                             effect(
                                     automaton,
@@ -180,6 +182,14 @@ final class NaiveAutomata {
         Map<String, Slot> open = new LinkedHashMap<>();
         outputs.forEach(port -> open.put(port.name(), Slot.open(port)));
         return open;
+    }
+
+    private static boolean isFirst(
+            Automaton automaton, Automaton.Transition transition, NaiveValues values) {
+        return automaton.transitions().stream()
+                .filter(each -> each.source() == transition.source())
+                .filter(each -> each.rank() < transition.rank())
+                .noneMatch(each -> isEnabled(each, values));
     }
 
     private static boolean isEnabled(Automaton.Transition transition, NaiveValues values) {

@@ -20,6 +20,10 @@ public final class ConnectorEndExists implements Check.OnConnector {
     @Override
     public void check(ConnectorSymbol connector, Context context, Findings findings) {
         ComponentSymbol component = context.component().orElseThrow();
+        boolean unclear = connector.source().namesPart() || connector.target().namesPart();
+        if (unclear && !Connections.lacksAncestor(component)) {
+            PartsWithoutPorts.report(connector, findings);
+        }
         check(component, connector.source(), findings);
         check(component, connector.target(), findings);
     }
@@ -29,20 +33,12 @@ public final class ConnectorEndExists implements Check.OnConnector {
             case NO_SUCH_PORT -> reportPort(component, end, findings);
             case NO_SUCH_INSTANCE -> reportInstance(component, end, findings);
             case NO_SUCH_PORT_OF_INSTANCE -> reportPortOfInstance(end, findings);
-            case RESOLVED, MALFORMED, EXCUSED -> {}
+            case RESOLVED, COMPLETED, MALFORMED, EXCUSED -> {}
         }
     }
 
     private static void reportPort(ComponentSymbol component, End end, Findings findings) {
-        if (Connections.lacksAncestor(component)) {
-            return;
-        }
-        if (end.instance().isPresent()) {
-            findings.report(
-                    end.span(),
-                    "'%s' is a part, not a port; connect one of its ports%s",
-                    end.text(),
-                    examplePort(end.instance().get()));
+        if (Connections.lacksAncestor(component) || end.namesPart()) {
             return;
         }
         String message = "component '" + component.name() + "' has no port '" + end.text() + "'";
@@ -67,13 +63,6 @@ public final class ConnectorEndExists implements Check.OnConnector {
                 .filter(instance -> instance.port(port).isPresent())
                 .map(InstanceSymbol::name)
                 .toList();
-    }
-
-    private static String examplePort(InstanceSymbol instance) {
-        List<PortSymbol> ports = instance.ports();
-        return ports.isEmpty()
-                ? ""
-                : ", such as '" + instance.name() + "." + ports.get(0).name() + "'";
     }
 
     private static void reportInstance(ComponentSymbol component, End end, Findings findings) {

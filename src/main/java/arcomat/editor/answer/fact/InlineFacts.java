@@ -5,17 +5,21 @@ import arcomat.editor.text.Positions;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
-import arcomat.symbols.expressions.Typed;
 import arcomat.tree.Node;
 import arcomat.tree.Unit;
 
 import org.eclipse.lsp4j.InlayHint;
 import org.eclipse.lsp4j.InlayHintKind;
+import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
 import java.util.ArrayList;
@@ -24,8 +28,8 @@ import java.util.Optional;
 
 /**
  * What an editor shows inside of a text, though it is not written there: which parameter an
- * argument is for, and what the parts make of the outputs of a decomposed component, its delay and
- * whether it is ever silent.
+ * argument is for, which port of a part a connector ends at that names the part alone, and what the
+ * parts make of the outputs of a decomposed component, its delay and whether it is ever silent.
  */
 public final class InlineFacts {
     private final Span wanted;
@@ -56,11 +60,14 @@ public final class InlineFacts {
         Node last = null;
         for (InstanceSymbol part : component.ownInstances()) {
             if (part.node() != last) {
-                part.component()
-                        .ifPresent(type -> addArguments(type.parameters(), part.arguments()));
+                addArguments(part.arguments());
             }
             last = part.node();
         }
+        component.connectors().stream()
+                .filter(each -> each.owner() == component)
+                .forEach(this::addPorts);
+        addArguments(component.signature().superArguments());
         if (component.isDecomposed() && !component.isEventDriven()) {
             component.signature().ownPorts().stream()
                     .filter(PortSymbol::isOutput)
@@ -69,19 +76,45 @@ public final class InlineFacts {
     }
 
     private void add(TestSuiteSymbol suite) {
-        suite.component()
-                .found()
-                .ifPresent(type -> addArguments(type.parameters(), suite.arguments()));
+        addArguments(suite.arguments());
     }
 
-    private void addArguments(List<ParameterSymbol> parameters, List<Typed> arguments) {
-        for (int i = 0; i < Math.min(parameters.size(), arguments.size()); i++) {
-            Span argument = arguments.get(i).expression().node().span();
-            String name = parameters.get(i).name();
-            if (!argument.text().equals(name)) {
-                add(argument.start(), name + ":", InlayHintKind.Parameter);
+    /** Of those that do not say it themselves. */
+    private void addArguments(List<GivenArgument> arguments) {
+        for (GivenArgument argument : arguments) {
+            Span span = argument.node().span();
+            String name = argument.parameter().map(ParameterSymbol::name).orElse(span.text());
+            if (argument.node().name().isEmpty() && !span.text().equals(name)) {
+                add(span.start(), name + ":", InlayHintKind.Parameter);
             }
         }
+    }
+
+    /** One that leads to several receivers has its source once in the text. */
+    private void addPorts(ConnectorSymbol connector) {
+        addPort(connector.source());
+        addPort(connector.target());
+    }
+
+    /** Who takes the hint over has the port written. */
+    private void addPort(End end) {
+        if (end.status() != Status.COMPLETED
+                || !end.span().file().equals(view.file())
+                || hints.stream().anyMatch(each -> isAt(end.span().end(), each))) {
+            return;
+        }
+        String port = "." + end.port().orElseThrow().name();
+        add(end.span().end(), port, InlayHintKind.Parameter)
+                .ifPresent(
+                        hint -> {
+                            Position place = hint.getPosition();
+                            hint.setTextEdits(List.of(new TextEdit(new Range(place, place), port)));
+                            hint.setPaddingRight(false);
+                        });
+    }
+
+    private boolean isAt(int offset, InlayHint hint) {
+        return hint.getPosition().equals(Positions.position(view.file(), offset));
     }
 
     /** Where no part sends it there is nothing to tell. */
@@ -101,14 +134,17 @@ public final class InlineFacts {
                         });
     }
 
-    private void add(int offset, String label, InlayHintKind kind) {
-        if (wanted.start() <= offset && offset <= wanted.end()) {
-            InlayHint hint =
-                    new InlayHint(Positions.position(view.file(), offset), Either.forLeft(label));
-            hint.setKind(kind);
-            hint.setPaddingLeft(kind == InlayHintKind.Type);
-            hint.setPaddingRight(kind == InlayHintKind.Parameter);
-            hints.add(hint);
+    /** Empty where nobody asked for that place. */
+    private Optional<InlayHint> add(int offset, String label, InlayHintKind kind) {
+        if (offset < wanted.start() || wanted.end() < offset) {
+            return Optional.empty();
         }
+        InlayHint hint =
+                new InlayHint(Positions.position(view.file(), offset), Either.forLeft(label));
+        hint.setKind(kind);
+        hint.setPaddingLeft(kind == InlayHintKind.Type);
+        hint.setPaddingRight(kind == InlayHintKind.Parameter);
+        hints.add(hint);
+        return Optional.of(hint);
     }
 }

@@ -55,14 +55,16 @@ public final class DocumentOutline {
         return OutlineEntry.of(
                 new Referent.Type(type),
                 type.node().span(),
-                type instanceof EnumSymbol constants
-                        ? constants(constants)
-                        : attributes((ClassSymbol) type));
+                type instanceof EnumSymbol constants ? constants(constants) : attributes(type));
     }
 
     private static Stream<OutlineEntry> constants(EnumSymbol type) {
         return IntStream.range(0, type.constants().size())
                 .mapToObj(i -> OutlineEntry.of(new Referent.Constant(type, i)));
+    }
+
+    private static Stream<OutlineEntry> attributes(DefinedType type) {
+        return type instanceof ClassSymbol symbol ? attributes(symbol) : Stream.empty();
     }
 
     private static Stream<OutlineEntry> attributes(ClassSymbol type) {

@@ -2,6 +2,7 @@ package arcomat.editor.answer.shape;
 
 import arcomat.symbols.occurrences.Referent;
 import arcomat.symbols.occurrences.ReferentCases;
+import arcomat.tree.ClassDiagram.ClassDefinition;
 import arcomat.tree.ClassDiagram.EnumDefinition;
 
 /** What stands beside a name in a list: mostly its type. */
@@ -23,7 +24,10 @@ public record ShortDescription() implements ReferentCases<String> {
 
     @Override
     public String type(Referent.Type type) {
-        return type.symbol().node() instanceof EnumDefinition ? "enum" : "class";
+        if (type.symbol().node() instanceof ClassDefinition) {
+            return "class";
+        }
+        return type.symbol().node() instanceof EnumDefinition ? "enum" : "opaque type";
     }
 
     @Override
