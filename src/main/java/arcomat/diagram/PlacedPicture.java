@@ -62,7 +62,7 @@ final class PlacedPicture {
         }
         elements.add(new Element(node.mark(), shapes));
         node.children().forEach(child -> place(child, box.x(), box.y()));
-        node.edges().forEach(this::place);
+        node.edges().forEach(edge -> place(edge, placed, box.x(), box.y()));
         node.ports().forEach(port -> place(port, box.x(), box.y()));
     }
 
@@ -83,15 +83,15 @@ final class PlacedPicture {
     }
 
     /** Where it lies is said from the innermost node on that has both its ends. */
-    private void place(Edge edge) {
+    private void place(Edge edge, ElkNode holder, double holderX, double holderY) {
         List<ElkEdge> placed = Objects.requireNonNull(layout.edges.get(edge));
-        double x = 0;
-        double y = 0;
-        for (ElkNode each = placed.get(0).getContainingNode();
-                each != null;
-                each = each.getParent()) {
-            x += each.getX();
-            y += each.getY();
+        double x = holderX;
+        double y = holderY;
+        ElkNode inner = placed.get(0).getContainingNode();
+        while (inner != holder && inner != null) {
+            x += inner.getX();
+            y += inner.getY();
+            inner = inner.getParent();
         }
         List<Point> points = new ArrayList<>();
         for (ElkEdge piece : placed) {
