@@ -21,6 +21,9 @@ final class TransitionText {
 
     static List<Graph.Line> label(Automaton.Transition transition) {
         List<String> lines = new ArrayList<>();
+        if (transition.rank() > 0) {
+            lines.add(behind(transition));
+        }
         lines.addAll(guard(transition.guard()));
         lines.addAll(block("", inputs(transition)));
         lines.addAll(block("/ ", outputs(transition.sends(), transition.assignments())));
@@ -38,6 +41,9 @@ final class TransitionText {
     /** In one line and in full. */
     static String full(Automaton.Transition transition) {
         StringBuilder text = new StringBuilder();
+        if (transition.rank() > 0) {
+            text.append(behind(transition)).append(' ');
+        }
         transition.guard().ifPresent(guard -> text.append("[" + ExpressionText.of(guard) + "] "));
         if (!transition.matches().isEmpty()) {
             text.append("{" + String.join(", ", inputs(transition)) + "} ");
@@ -47,6 +53,11 @@ final class TransitionText {
             text.append("/ {" + String.join(", ", outputs) + "}");
         }
         return text.toString().strip();
+    }
+
+    /** That transitions with smaller numbers come first, those without one before all. */
+    private static String behind(Automaton.Transition transition) {
+        return transition.rank() + ".";
     }
 
     private static List<String> guard(Optional<Expression> guard) {

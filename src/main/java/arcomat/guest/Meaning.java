@@ -16,13 +16,15 @@ public final class Meaning {
     private final List<Piece> pieces = new ArrayList<>();
     private final List<Problem> problems = new ArrayList<>();
     private Optional<Span> element = Optional.empty();
+    private int rank;
 
     /**
      * A piece of Arcomat's text, and what it stands for.
      *
      * @param element that it is a part of; empty where pieces stand for themselves
+     * @param rank of a transition that begins in it
      */
-    public record Piece(Span place, String text, Optional<Span> element) {}
+    public record Piece(Span place, String text, Optional<Span> element, int rank) {}
 
     /**
      * Something that is wrong with what somebody wrote.
@@ -42,6 +44,18 @@ public final class Meaning {
     }
 
     /**
+     * The transitions to come are taken only where none out of the same state with a smaller number
+     * is enabled. At first the number is 0; among transitions of one number it stays open which is
+     * taken.
+     *
+     * @param number from 0 on
+     */
+    public Meaning rank(int number) {
+        rank = number;
+        return this;
+    }
+
+    /**
      * Adds elements of the automaton, or a part of one.
      *
      * @param place what they stand for, in the file that is translated
@@ -49,7 +63,7 @@ public final class Meaning {
      */
     public Meaning write(Span place, String text, Object... values) {
         String all = values.length == 0 ? text : String.format(Locale.ROOT, text, values);
-        pieces.add(new Piece(place, all, element));
+        pieces.add(new Piece(place, all, element, rank));
         return this;
     }
 

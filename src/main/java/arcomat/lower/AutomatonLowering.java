@@ -113,6 +113,7 @@ final class AutomatonLowering {
                 matches,
                 sends,
                 assignments,
+                transition.node().rank(),
                 transition.node().span());
     }
 

@@ -64,6 +64,16 @@ public record Automaton(
         return states.get(transition.source) + " -> " + states.get(transition.target);
     }
 
+    /** Those that come first: the transition is not taken where one of them could be. */
+    public List<Transition> before(Transition transition) {
+        return transition.rank == 0
+                ? List.of()
+                : transitions.stream()
+                        .filter(each -> each.source == transition.source)
+                        .filter(each -> each.rank < transition.rank)
+                        .toList();
+    }
+
     /** The same with another completion. */
     public Automaton with(Completion other) {
         return with(other, initials, transitions);
@@ -133,7 +143,11 @@ public record Automaton(
         }
     }
 
-    /** Matches, guard, sends and assignments read the configuration before the step. */
+    /**
+     * Matches, guard, sends and assignments read the configuration before the step.
+     *
+     * @param rank it may be taken only where none out of the same state with a smaller one could be
+     */
     public record Transition(
             int source,
             int target,
@@ -141,11 +155,24 @@ public record Automaton(
             List<Match> matches,
             List<Send> sends,
             List<Assignment> assignments,
+            int rank,
             Span span) {
         public Transition {
             matches = List.copyOf(matches);
             sends = List.copyOf(sends);
             assignments = List.copyOf(assignments);
+        }
+
+        /** Among the first ones. */
+        public Transition(
+                int source,
+                int target,
+                Optional<Expression> guard,
+                List<Match> matches,
+                List<Send> sends,
+                List<Assignment> assignments,
+                Span span) {
+            this(source, target, guard, matches, sends, assignments, 0, span);
         }
     }
 

@@ -47,6 +47,8 @@ public sealed interface AutomatonElement extends Node {
      *
      * @param output what happens at once; empty also where there are actions
      * @param actions what happens one after the other
+     * @param rank it is taken only where none with a smaller one is enabled; texts have no word for
+     *     it, and guests may have
      */
     record Transition(
             Span span,
@@ -55,17 +57,12 @@ public sealed interface AutomatonElement extends Node {
             Optional<Guard> guard,
             Optional<Block> input,
             Optional<Block> output,
-            Optional<Statement.Sequence> actions)
+            Optional<Statement.Sequence> actions,
+            int rank)
             implements AutomatonElement {
-        /** Without statements. */
-        public Transition(
-                Span span,
-                Name source,
-                Optional<Name> target,
-                Optional<Guard> guard,
-                Optional<Block> input,
-                Optional<Block> output) {
-            this(span, source, target, guard, input, output, Optional.empty());
+        /** The same with another rank. */
+        public Transition withRank(int other) {
+            return new Transition(span, source, target, guard, input, output, actions, other);
         }
     }
 

@@ -101,9 +101,15 @@ public final class Expressions {
 
     /** When a guard is true; false where it is false or undefined. */
     public static Expression trueWhen(Guards guards, Expression guard) {
-        return guards.enabledWhen(
+        return guards.asked(
                 new Automaton.Transition(
                         0, 0, Optional.of(guard), List.of(), List.of(), List.of(), NOWHERE));
+    }
+
+    /** A transition that asks a guard alone. */
+    public static Automaton.Transition ranked(Expression guard, int rank) {
+        return new Automaton.Transition(
+                0, 0, Optional.of(guard), List.of(), List.of(), List.of(), rank, NOWHERE);
     }
 
     public static Expression not(Expression e) {

@@ -69,6 +69,7 @@ final class Flattening {
         states.leaves(states.root()).forEach(this::state);
         beginning();
         arrows.forEach(this::arrow);
+        states.leaves(states.root()).forEach(this::during);
     }
 
     private List<Arrow> arrows(State leaf, Transition transition) {
@@ -130,7 +131,7 @@ final class Flattening {
     private void arrow(Arrow arrow) {
         Transition transition = arrow.transition();
         Span place = transition.place();
-        meaning.element(place);
+        meaning.element(place).rank(rank(states.state(transition.source())));
         name(arrow.source(), transition.source(), place);
         transition
                 .target()
@@ -150,6 +151,33 @@ final class Flattening {
         done.addAll(arrow.way().actions());
         output(done, remembered.noted(arrow.source(), arrow.left()), place);
         meaning.write(place, ";");
+    }
+
+    /** Smaller comes first: the deeper or the less deep, as the machine says. */
+    private int rank(State source) {
+        int depth = states.path(source).size();
+        return switch (machine.priority()) {
+            case OPEN -> 0;
+            case INNER -> states.deepest() - depth;
+            case OUTER -> depth - 1;
+        };
+    }
+
+    /** A step that comes behind all others. */
+    private void during(State leaf) {
+        List<Action> done = new ArrayList<>();
+        List<Span> places = new ArrayList<>();
+        for (State each : states.path(leaf)) {
+            each.during().ifPresent(during -> done.add(during.action()));
+            each.during().ifPresent(during -> places.add(during.place()));
+        }
+        if (!done.isEmpty()) {
+            Span place = places.get(places.size() - 1);
+            meaning.element(place).rank(states.deepest());
+            meaning.write(place, "%s", leaf.name().text());
+            output(done, List.of(), place);
+            meaning.write(place, ";");
+        }
     }
 
     /** A name that stands in the text keeps its place; others have that of the whole. */

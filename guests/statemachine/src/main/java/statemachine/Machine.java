@@ -11,12 +11,23 @@ import java.util.Set;
  *
  * @param declarations of variables, as they stand there
  * @param variables their names
+ * @param priority who comes first, where several transitions are enabled
  * @param root what everything stands in; it has no name
  */
-record Machine(List<Span> declarations, Set<String> variables, State root) {
+record Machine(List<Span> declarations, Set<String> variables, Priority priority, State root) {
     Machine {
         declarations = List.copyOf(declarations);
         variables = Set.copyOf(variables);
+    }
+
+    /** Who comes first. */
+    enum Priority {
+        /** Whoever: that is left open. */
+        OPEN,
+        /** Transitions of the states within. */
+        INNER,
+        /** Transitions of the states around. */
+        OUTER
     }
 
     /** A name somewhere in the text. */
@@ -33,6 +44,7 @@ record Machine(List<Span> declarations, Set<String> variables, State root) {
             Optional<Beginning> initial,
             Optional<Action> entry,
             Optional<Action> exit,
+            Optional<During> during,
             List<Transition> transitions) {
         State {
             states = List.copyOf(states);
@@ -46,6 +58,9 @@ record Machine(List<Span> declarations, Set<String> variables, State root) {
 
     /** {@code initial driving / {cmd = fwd};}. */
     record Beginning(Span place, Label state, Optional<Action> action) {}
+
+    /** {@code do / {lamp = green};}: what is done in a step that no transition makes. */
+    record During(Span place, Action action) {}
 
     /** {@code {cmd = fwd, tries = 0}}. */
     record Action(List<Item> items) {

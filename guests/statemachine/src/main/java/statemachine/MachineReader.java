@@ -5,8 +5,10 @@ import arcomat.source.Span;
 
 import statemachine.Machine.Action;
 import statemachine.Machine.Beginning;
+import statemachine.Machine.During;
 import statemachine.Machine.Label;
 import statemachine.Machine.Memory;
+import statemachine.Machine.Priority;
 import statemachine.Machine.State;
 import statemachine.Machine.Target;
 import statemachine.Machine.Transition;
@@ -28,6 +30,7 @@ final class MachineReader {
     private final TokenCursor cursor;
     private final List<Span> declarations = new ArrayList<>();
     private final Set<String> variables = new LinkedHashSet<>();
+    private Priority priority = Priority.OPEN;
 
     private MachineReader(TokenCursor cursor) {
         this.cursor = cursor;
@@ -36,7 +39,7 @@ final class MachineReader {
     static Machine read(Written behaviour) throws UnreadableText {
         MachineReader reader = new MachineReader(new TokenCursor(behaviour));
         State root = reader.body(new Label(behaviour.keyword(), ""), 0);
-        return new Machine(reader.declarations, reader.variables, root);
+        return new Machine(reader.declarations, reader.variables, reader.priority, root);
     }
 
     /** What stands in the braces of a state, or of the machine. */
@@ -64,6 +67,15 @@ final class MachineReader {
                 cursor.expect(";");
                 parts.add(first.text().equals("entry"), cursor.place(first), action);
             }
+            case "do" -> {
+                inside(depth, first);
+                cursor.next();
+                cursor.expect("/");
+                Action action = new ActionReader(cursor).read();
+                cursor.expect(";");
+                parts.add(new During(cursor.since(first), action));
+            }
+            case "priority" -> priority(depth);
             case "variable", "var" -> variables(depth);
             default -> parts.add(transition());
         }
@@ -123,9 +135,31 @@ final class MachineReader {
         return Optional.of(new ActionReader(cursor).read());
     }
 
+    private void priority(int depth) throws UnreadableText {
+        Token first = cursor.next();
+        if (depth > 0 || priority != Priority.OPEN) {
+            throw new UnreadableText(
+                    Mistake.SAID_TWICE,
+                    cursor.place(first),
+                    "who comes first is said once, outside of all states");
+        }
+        Label who = cursor.name("'inner' or 'outer'");
+        priority =
+                switch (who.text()) {
+                    case "inner" -> Priority.INNER;
+                    case "outer" -> Priority.OUTER;
+                    default ->
+                            throw new UnreadableText(
+                                    who.place(),
+                                    "'inner' transitions come first or 'outer' ones, not '%s'"
+                                            .formatted(who.text()));
+                };
+        cursor.expect(";");
+    }
+
     private Transition transition() throws UnreadableText {
         Token first = cursor.peek();
-        Label source = cursor.name("a state, a transition, 'initial', 'entry' or 'exit'");
+        Label source = cursor.name("a state, a transition, 'initial', 'entry', 'exit' or 'do'");
         Optional<Target> target = Optional.empty();
         if (cursor.isAt("->")) {
             cursor.next();

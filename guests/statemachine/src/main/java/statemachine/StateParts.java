@@ -4,6 +4,7 @@ import arcomat.source.Span;
 
 import statemachine.Machine.Action;
 import statemachine.Machine.Beginning;
+import statemachine.Machine.During;
 import statemachine.Machine.Label;
 import statemachine.Machine.State;
 import statemachine.Machine.Transition;
@@ -19,6 +20,7 @@ final class StateParts {
     private Optional<Beginning> initial = Optional.empty();
     private Optional<Action> entry = Optional.empty();
     private Optional<Action> exit = Optional.empty();
+    private Optional<During> during = Optional.empty();
 
     void add(State state) {
         states.add(state);
@@ -42,6 +44,11 @@ final class StateParts {
         }
     }
 
+    void add(During action) throws UnreadableText {
+        once(during, action.place(), "do");
+        during = Optional.of(action);
+    }
+
     private static void once(Optional<?> before, Span place, String word) throws UnreadableText {
         if (before.isPresent()) {
             throw new UnreadableText(
@@ -52,6 +59,6 @@ final class StateParts {
     }
 
     State state(Label name) {
-        return new State(name, states, initial, entry, exit, transitions);
+        return new State(name, states, initial, entry, exit, during, transitions);
     }
 }

@@ -71,6 +71,11 @@ record StateTree(
                 : state.states().stream().flatMap(each -> leaves(each).stream()).toList();
     }
 
+    /** How many states are within one another. */
+    int deepest() {
+        return paths.values().stream().mapToInt(List::size).max().orElse(0);
+    }
+
     boolean isIn(State inner, State outer) {
         return path(inner).contains(outer);
     }

@@ -8,9 +8,11 @@ import java.util.stream.Collectors;
 
 /**
  * A machine that was drawn by lot, over two inputs (a, b), two variables (n, m) and three outputs:
- * transitions send on x, entries on y and exits on z.
+ * transitions send on x, entries on y and exits on z; what is done meanwhile sends on w.
+ *
+ * @param priority {@code inner}, {@code outer}, or nothing
  */
-record DrawnMachine(Node root, List<Move> moves) {
+record DrawnMachine(String priority, Node root, List<Move> moves) {
     /** A value: a number, or the sum of a number and n, modulo 8. */
     record Value(boolean n, int number) {
         String text() {
@@ -23,7 +25,12 @@ record DrawnMachine(Node root, List<Move> moves) {
     /**
      * @param parts the first of which is where it begins
      */
-    record Node(String name, List<Node> parts, List<Write> entry, List<Write> exit) {
+    record Node(
+            String name,
+            List<Node> parts,
+            List<Write> entry,
+            List<Write> exit,
+            List<Write> during) {
         boolean isSimple() {
             return parts.isEmpty();
         }
@@ -57,7 +64,31 @@ record DrawnMachine(Node root, List<Move> moves) {
         for (int i = 0; i < 3 + random.nextInt(8); i++) {
             moves.add(drawing.move(states));
         }
-        return new DrawnMachine(root, moves);
+        String priority = List.of("", "inner", "outer").get(random.nextInt(3));
+        return new DrawnMachine(priority, root, moves);
+    }
+
+    /** Nearly the same: another one comes first, or one move goes elsewhere. */
+    DrawnMachine variant(Random random) {
+        if (random.nextInt(3) == 0) {
+            String other = List.of("", "inner", "outer").get(random.nextInt(3));
+            return new DrawnMachine(other, root, moves);
+        }
+        List<Node> states = root.all().subList(1, root.all().size());
+        List<Move> others = new ArrayList<>(moves);
+        int place = random.nextInt(moves.size());
+        Move old = moves.get(place);
+        Move fresh = new Drawing(random).move(states);
+        others.set(
+                place,
+                new Move(
+                        old.source(),
+                        fresh.target(),
+                        fresh.memory(),
+                        old.below(),
+                        old.input(),
+                        old.writes()));
+        return new DrawnMachine(priority, root, others);
     }
 
     private static final class Drawing {
@@ -77,16 +108,19 @@ record DrawnMachine(Node root, List<Move> moves) {
             }
             List<Write> entry = new ArrayList<>();
             List<Write> exit = new ArrayList<>();
+            List<Write> during = new ArrayList<>();
             if (depth > 0) {
                 maybe(entry, "n");
                 maybe(entry, "m");
                 maybe(exit, "m");
+                maybe(during, "m");
                 if (parts == 0) {
                     maybe(entry, "y");
                     maybe(exit, "z");
+                    maybe(during, "w");
                 }
             }
-            return new Node(name, nodes, entry, exit);
+            return new Node(name, nodes, entry, exit, during);
         }
 
         private void maybe(List<Write> writes, String name) {
@@ -104,7 +138,7 @@ record DrawnMachine(Node root, List<Move> moves) {
                             ? ""
                             : List.of("", ".history", ".deepHistory").get(random.nextInt(3));
             List<Write> writes = new ArrayList<>();
-            if (random.nextBoolean()) {
+            if (random.nextInt(5) > 0) {
                 writes.add(new Write("x", new Value(random.nextBoolean(), random.nextInt(8))));
             }
             if (random.nextInt(3) == 0) {
@@ -127,9 +161,11 @@ record DrawnMachine(Node root, List<Move> moves) {
     String text(String name) {
         StringBuilder text = new StringBuilder();
         text.append("component ").append(name).append(" {\n");
-        text.append("port in Boolean a, out Integer x, out Integer y, out Integer z;\n");
+        text.append(
+                "port in Boolean a, out Integer x, out Integer y, out Integer z, out Integer w;\n");
         text.append("<<completion = \"ignore\">> statemachine {\n");
         text.append("variable Integer[0..7] n = 0, m = 0;\n");
+        text.append(priority.isEmpty() ? "" : "priority " + priority + ";\n");
         write(root, text);
         moves.forEach(move -> write(move, text));
         return text.append("}\n}\n").toString();
@@ -138,6 +174,7 @@ record DrawnMachine(Node root, List<Move> moves) {
     private static void write(Node node, StringBuilder text) {
         action("entry", node.entry(), text);
         action("exit", node.exit(), text);
+        action("do", node.during(), text);
         if (!node.isSimple()) {
             text.append("initial ").append(node.parts().get(0).name()).append(";\n");
         }

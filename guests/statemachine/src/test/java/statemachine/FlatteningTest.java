@@ -11,7 +11,6 @@ import statemachine.ReferenceMachine.Situation;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -26,8 +25,12 @@ import java.util.stream.Collectors;
  */
 class FlatteningTest {
     private static final int MACHINES = Integer.getInteger("machines", 100);
+    private static final List<String> PORTS = List.of("x", "y", "z", "w");
     private static final int RUNS = 8;
     private static final int SLICES = 12;
+
+    /** How many machines are tried that differ, until one shows what cannot be. */
+    private static final int TRIES = 6;
 
     @TempDir private Path folder;
 
@@ -43,7 +46,7 @@ class FlatteningTest {
             StringBuilder suite =
                     new StringBuilder("testsuite " + name + "Test for " + name + " {\n");
             for (int run = 0; run < RUNS; run++) {
-                wrong += run(new ReferenceMachine(machine), random, i + "of" + run, suite) ? 1 : 0;
+                wrong += run(machine, random, i + "of" + run, suite) ? 1 : 0;
             }
             Files.writeString(folder.resolve(name + "Test.mt"), suite + "}\n");
         }
@@ -53,42 +56,48 @@ class FlatteningTest {
                 .isEmpty();
         int right = MACHINES * RUNS - wrong;
         assertThat(printed).endsWith("%d passed, %d failed\n".formatted(right, wrong));
-        assertThat(wrong).isBetween(MACHINES, MACHINES * (RUNS - 1));
+        assertThat(wrong).isGreaterThan(MACHINES);
     }
 
-    /** Writes a test; of two runs, one shows what cannot be, if a change of it leads there. */
-    private static boolean run(
-            ReferenceMachine machine, Random random, String name, StringBuilder suite) {
+    /** What goes in, and what comes out: one slice more, since outputs have a delay. */
+    private record Course(List<Optional<Boolean>> inputs, List<Map<String, Integer>> outputs) {}
+
+    private static Course course(DrawnMachine machine, Random random) {
+        ReferenceMachine reference = new ReferenceMachine(machine);
         List<Optional<Boolean>> inputs = new ArrayList<>();
         List<Map<String, Integer>> outputs = new ArrayList<>();
-        Reaction reaction = machine.start();
+        Reaction reaction = reference.start();
         outputs.add(reaction.sent());
         for (int i = 0; i < SLICES; i++) {
             inputs.add(
                     random.nextInt(4) == 0 ? Optional.empty() : Optional.of(random.nextBoolean()));
-            List<Reaction> all = machine.reactions(reaction.next(), inputs.get(i));
+            List<Reaction> all = reference.reactions(reaction.next(), inputs.get(i));
             reaction = all.get(random.nextInt(all.size()));
             outputs.add(reaction.sent());
         }
+        return new Course(inputs, outputs);
+    }
+
+    /** Writes a test: what the machine shows, or what one shows that differs in one place. */
+    private static boolean run(
+            DrawnMachine machine, Random random, String name, StringBuilder suite) {
+        Course course = course(machine, random);
         boolean wrong = false;
-        if (random.nextBoolean()) {
-            int slice = random.nextInt(SLICES + 1);
-            Map<String, Integer> other = new HashMap<>(outputs.get(slice));
-            other.merge(
-                    List.of("x", "y", "z").get(random.nextInt(3)),
-                    random.nextInt(8),
-                    (old, fresh) -> old.equals(fresh) ? null : fresh);
-            outputs.set(slice, other);
-            wrong = !isPossible(machine, inputs, outputs);
+        boolean other = random.nextBoolean();
+        for (int i = 0; i < TRIES && other && !wrong; i++) {
+            course = course(machine.variant(random), random);
+            wrong = !isPossible(new ReferenceMachine(machine), course);
         }
         suite.append("test ")
                 .append(wrong ? "wrong" : "right")
                 .append(name)
                 .append(" {\ninput {\na: <");
-        suite.append(stream(inputs)).append(">;\n}\nexpect {\n");
-        for (String port : List.of("x", "y", "z")) {
+        suite.append(stream(course.inputs())).append(">;\n}\nexpect {\n");
+        for (String port : PORTS) {
             List<Optional<Integer>> sent =
-                    outputs.stream().map(each -> Optional.ofNullable(each.get(port))).toList();
+                    course.outputs().stream()
+                            .map(each -> Optional.ofNullable(each.get(port)))
+                            .toList();
             suite.append(port).append(": <").append(stream(sent)).append(">;\n");
         }
         suite.append("}\n}\n");
@@ -101,10 +110,9 @@ class FlatteningTest {
                 .collect(Collectors.joining(", "));
     }
 
-    private static boolean isPossible(
-            ReferenceMachine machine,
-            List<Optional<Boolean>> inputs,
-            List<Map<String, Integer>> outputs) {
+    private static boolean isPossible(ReferenceMachine machine, Course course) {
+        List<Optional<Boolean>> inputs = course.inputs();
+        List<Map<String, Integer>> outputs = course.outputs();
         Set<Situation> possible = new LinkedHashSet<>();
         if (machine.start().sent().equals(outputs.get(0))) {
             possible.add(machine.start().next());

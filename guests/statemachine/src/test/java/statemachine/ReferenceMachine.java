@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 /**
  * What a machine does, said once more and to be read: states are left and entered one after the
@@ -49,14 +50,37 @@ final class ReferenceMachine {
      */
     List<Reaction> reactions(Situation before, Optional<Boolean> a) {
         List<Reaction> all = new ArrayList<>();
-        for (Move move : machine.moves()) {
-            if (path(before.active()).contains(node(move.source())) && isEnabled(move, before, a)) {
-                Step step = new Step(before.last(), before.variables());
-                step.take(move, before.active());
-                all.add(step.reaction());
-            }
+        for (Move move : first(enabled(before, a))) {
+            Step step = new Step(before.last(), before.variables());
+            step.take(move, before.active());
+            all.add(step.reaction());
         }
-        return all.isEmpty() ? List.of(new Reaction(Map.of(), before)) : all;
+        return all.isEmpty() ? List.of(meanwhile(before)) : all;
+    }
+
+    private List<Move> enabled(Situation before, Optional<Boolean> a) {
+        return machine.moves().stream()
+                .filter(move -> path(before.active()).contains(node(move.source())))
+                .filter(move -> isEnabled(move, before, a))
+                .toList();
+    }
+
+    /** Those that come first, if somebody says who does. */
+    private List<Move> first(List<Move> enabled) {
+        if (machine.priority().isEmpty()) {
+            return enabled;
+        }
+        IntStream depths = enabled.stream().mapToInt(move -> path(move.source()).size());
+        int first = (machine.priority().equals("inner") ? depths.max() : depths.min()).orElse(0);
+        return enabled.stream().filter(move -> path(move.source()).size() == first).toList();
+    }
+
+    /** What is done where no transition is enabled, from the outermost state on. */
+    private Reaction meanwhile(Situation before) {
+        Step step = new Step(before.last(), before.variables());
+        step.active = before.active();
+        path(before.active()).forEach(each -> each.during().forEach(step::write));
+        return step.reaction();
     }
 
     private static boolean isEnabled(Move move, Situation before, Optional<Boolean> a) {

@@ -59,4 +59,47 @@ component Unreadable {
             state one { var Integer n = 0; }
         }
     }
+
+    component WhoComesFirst {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            priority middle;
+            initial one;
+            state one;
+        }
+    }
+
+    component Undecided {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            priority inner;
+            priority outer;
+            initial one;
+            state one;
+        }
+    }
+
+    component DoesTwice {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one { do / {x = 1}; do / {x = 2}; }
+        }
+    }
+
+    component BothDo {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial one;
+            state one {
+                do / {x = 1};
+                initial two;
+                state two { do / {x = 2}; }
+            }
+        }
+    }
 }

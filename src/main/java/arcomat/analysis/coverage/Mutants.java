@@ -80,6 +80,7 @@ public record Mutants(Component component, Automaton automaton) {
                                     t.matches(),
                                     t.sends(),
                                     t.assignments(),
+                                    t.rank(),
                                     t.span())));
         }
     }
@@ -227,6 +228,7 @@ public record Mutants(Component component, Automaton automaton) {
                                     t.matches(),
                                     t.sends(),
                                     replaced(t.assignments(), i, List.of()),
+                                    t.rank(),
                                     t.span())));
         }
     }
@@ -234,7 +236,7 @@ public record Mutants(Component component, Automaton automaton) {
     private static Transition with(
             Transition t, Optional<Expression> guard, List<Match> matches, List<Send> sends) {
         return new Transition(
-                t.source(), t.target(), guard, matches, sends, t.assignments(), t.span());
+                t.source(), t.target(), guard, matches, sends, t.assignments(), t.rank(), t.span());
     }
 
     private static <T> List<T> replaced(List<T> list, int position, List<T> instead) {

@@ -165,6 +165,7 @@ final class Edits {
                                 each.matches(),
                                 each.sends(),
                                 each.assignments(),
+                                each.rank(),
                                 each.span()))
                 : Optional.empty();
     }

@@ -37,18 +37,21 @@ public record Preconditions(
         Guards guards = new Guards(profile);
         Negations negations = new Negations(profile, automaton, guards);
         return automaton.transitions().stream()
-                .map(each -> of(guards, each, negations.of(each)))
+                .map(each -> of(guards, automaton, each, negations.of(each)))
                 .toList();
     }
 
     private static Preconditions of(
-            Guards guards, Automaton.Transition transition, List<Expression> negations) {
-        Expression enabled = guards.enabledWhen(transition);
+            Guards guards,
+            Automaton automaton,
+            Automaton.Transition transition,
+            List<Expression> negations) {
+        Expression enabled = guards.enabledWhen(automaton, transition);
         List<Expression> effects = effects(transition);
         return new Preconditions(
                 enabled,
                 negations,
-                guards.enabledButForSilence(transition, negations),
+                guards.enabledButForSilence(automaton, transition, negations),
                 Wraparound.HAZARD.in(enabled),
                 Wraparound.HAZARD.inAny(effects),
                 Hazard.DIVISION_BY_ZERO.in(enabled),

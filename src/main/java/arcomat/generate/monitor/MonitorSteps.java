@@ -162,7 +162,7 @@ final class MonitorSteps {
     private GoView transition(Automaton.Transition transition) {
         ExpressionWriter text =
                 context.expressions().careful().at(Fault.place(watched, automaton, transition));
-        Expression condition = guards.enabledWhen(transition);
+        Expression condition = guards.enabledWhen(automaton, transition);
         Formula enabled = new FormulaBuilder(text).of(condition);
         RuntimeChecks checks = text.checks();
         return new GoView(

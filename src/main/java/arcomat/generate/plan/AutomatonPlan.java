@@ -64,7 +64,7 @@ public record AutomatonPlan(
         automaton.states().forEach(state -> bySource.add(new ArrayList<>()));
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition transition = automaton.transitions().get(i);
-            Expression condition = guards.enabledWhen(transition);
+            Expression condition = guards.enabledWhen(automaton, transition);
             checks |= RuntimeChecks.dividesAnywhere(condition);
             String place = Fault.place(component, automaton, transition);
             Formula enabled = new FormulaBuilder(context.expressions().at(place)).of(condition);

@@ -13,6 +13,7 @@ import arcomat.source.Span;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
 import arcomat.tree.Automaton;
+import arcomat.tree.AutomatonElement;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
@@ -104,6 +105,7 @@ public final class ForeignBehaviours {
                         component.typeParameters(),
                         component.parameters(),
                         component.superComponent(),
+                        component.superArguments(),
                         component.refines(),
                         component.instance(),
                         elements);
@@ -161,19 +163,28 @@ public final class ForeignBehaviours {
                             .formatted(language.guest(), first.message(), line(first.span()));
             return gap(foreign, Diagnostic.error(FAILED, text.origin(first.span()), message));
         }
-        Automaton made =
-                new PlacedTree(text::origin).move((Automaton) parsed.unit().get().definition());
+        Automaton written = (Automaton) parsed.unit().get().definition();
+        List<AutomatonElement> ranked =
+                written.elements().stream().map(each -> ranked(each, text)).toList();
+        PlacedTree placed = new PlacedTree(text::origin);
         return Optional.of(
                 foreign.meaning(
                         new Automaton(
                                 foreign.span(),
                                 foreign.stereotypes(),
                                 foreign.name(),
-                                made.elements())));
+                                ranked.stream().map(placed::move).toList())));
+    }
+
+    /** A text has no word for ranks: guests say them beside it. */
+    private static AutomatonElement ranked(AutomatonElement element, TranslatedText text) {
+        return element instanceof AutomatonElement.Transition transition
+                ? transition.withRank(text.rank(transition.span()))
+                : element;
     }
 
     private static Piece own(Span place, String text) {
-        return new Piece(place, text, Optional.empty());
+        return new Piece(place, text, Optional.empty(), 0);
     }
 
     private static String line(Span place) {

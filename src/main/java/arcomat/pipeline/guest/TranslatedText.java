@@ -30,6 +30,11 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
         return new TranslatedText(new SourceFile(path, text.toString()), pieces);
     }
 
+    /** The rank of a transition: that of the piece in which it begins. */
+    int rank(Span transition) {
+        return pieces.floorEntry(transition.start()).getValue().rank();
+    }
+
     /** What a part of the text stands for: exactly, where it was taken over letter by letter. */
     Span origin(Span part) {
         Map.Entry<Integer, Piece> first = pieces.floorEntry(part.start());

@@ -106,7 +106,7 @@ public final class StepRelation {
         Guards guards = new Guards(component.profile());
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition transition = automaton.transitions().get(i);
-            Expression enabledWhen = guards.enabledWhen(transition);
+            Expression enabledWhen = guards.enabledWhen(automaton, transition);
             attentions.get(transition.source()).add(enabledWhen, transition);
             ReadyTransition ready =
                     new ReadyTransition(

@@ -64,7 +64,7 @@ public final class WhyNot {
         Guards guards = new Guards(relation.component().profile());
         for (Automaton.Transition transition : relation.automaton().transitions()) {
             whyNot.asked.add(
-                    guards.clauses(transition).stream()
+                    guards.clauses(relation.automaton(), transition).stream()
                             .map(each -> ready(each, relation))
                             .toList());
         }

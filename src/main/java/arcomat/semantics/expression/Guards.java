@@ -33,8 +33,20 @@ public final class Guards {
         formulas = new Formulas(profile);
     }
 
-    /** When a transition out of the present state may be taken: its input block and its guard. */
-    public Expression enabledWhen(Automaton.Transition transition) {
+    /**
+     * When a transition out of the present state may be taken: what it asks is so, and none that
+     * comes before it could be taken.
+     */
+    public Expression enabledWhen(Automaton automaton, Automaton.Transition transition) {
+        Expression condition = asked(transition);
+        for (Automaton.Transition each : automaton.before(transition)) {
+            condition = and(condition, not(asked(each)));
+        }
+        return formulas.simplify(condition);
+    }
+
+    /** What a transition asks by its input block, its guard, and what it reads. */
+    public Expression asked(Automaton.Transition transition) {
         Expression condition = TRUE;
         for (Automaton.Match match : transition.matches()) {
             condition = and(condition, fits(matches(match, transition)));
@@ -63,10 +75,21 @@ public final class Guards {
 
     /**
      * What a transition asks, taken apart: the items of its input block, the parts of its guard
-     * that have to be true together, and that there is what its outputs and assignments read. It is
-     * enabled where all of them hold, looked at from left to right.
+     * that have to be true together, that there is what its outputs and assignments read, and that
+     * none before it could be taken. It is enabled where all of them hold, looked at from left to
+     * right.
      */
-    public List<Clause> clauses(Automaton.Transition transition) {
+    public List<Clause> clauses(Automaton automaton, Automaton.Transition transition) {
+        List<Clause> clauses = new ArrayList<>(clauses(transition));
+        for (Automaton.Transition each : automaton.before(transition)) {
+            Expression denied = formulas.simplify(not(asked(each)));
+            String text = "not before it: " + ExpressionText.of(asked(each));
+            clauses.add(new Clause(denied, denied, text, false));
+        }
+        return clauses;
+    }
+
+    private List<Clause> clauses(Automaton.Transition transition) {
         List<Clause> clauses = new ArrayList<>();
         for (Automaton.Match match : transition.matches()) {
             Expression asked = matches(match, transition);
@@ -139,9 +162,9 @@ public final class Guards {
      * @param negations of its {@link #negations}
      */
     public Expression enabledButForSilence(
-            Automaton.Transition transition, List<Expression> negations) {
+            Automaton automaton, Automaton.Transition transition, List<Expression> negations) {
         Expression condition = TRUE;
-        for (Clause clause : clauses(transition)) {
+        for (Clause clause : clauses(automaton, transition)) {
             Expression silent = not(formulas.present(clause.asked()));
             condition =
                     and(

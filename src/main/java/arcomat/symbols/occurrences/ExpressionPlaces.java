@@ -2,6 +2,8 @@ package arcomat.symbols.occurrences;
 
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.GivenArgument;
+import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
@@ -53,6 +55,18 @@ record ExpressionPlaces(
 
     void in(List<Typed> typed) {
         typed.forEach(this::in);
+    }
+
+    void arguments(List<GivenArgument> given) {
+        for (GivenArgument each : given) {
+            in(each.value());
+            each.node().name().ifPresent(name -> parameter(name, each.parameter()));
+        }
+    }
+
+    private void parameter(Name name, Optional<ParameterSymbol> meant) {
+        meant.ifPresent(
+                found -> places.add(name.span(), new Referent.Parameter(found), Role.REFERS));
     }
 
     private static List<Name> names(Expression node) {

@@ -133,7 +133,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 optional(context.guard(), this::guard),
                 optional(context.input, blocks::block),
                 output(context.effect()),
-                actions(context.effect()));
+                actions(context.effect()),
+                0);
     }
 
     private AutomatonElement.Guard guard(ArcomatParser.GuardContext context) {

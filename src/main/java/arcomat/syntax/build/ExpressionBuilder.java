@@ -3,6 +3,7 @@ package arcomat.syntax.build;
 import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Argument;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Absence;
 import arcomat.tree.Expression.Binary;
@@ -23,6 +24,7 @@ import arcomat.tree.TypeReference;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -68,6 +70,15 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     List<Expression> arguments(ArcomatParser.ArgumentsContext context) {
         return context == null ? List.of() : buildAll(context.expression());
+    }
+
+    List<Argument> given(ArcomatParser.@Nullable ComponentArgumentsContext context) {
+        return context == null ? List.of() : each(context.componentArgument(), this::given);
+    }
+
+    private Argument given(ArcomatParser.ComponentArgumentContext context) {
+        return new Argument(
+                span(context), phrases.optionalName(context.name()), build(context.expression()));
     }
 
     @Override

@@ -55,6 +55,7 @@ final class Spacing {
                             && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "(" ->
                     parent instanceof ArcomatParser.ArgumentsContext
+                            || parent instanceof ArcomatParser.ComponentArgumentsContext
                             || parent instanceof ArcomatParser.MethodParametersContext
                             || parent instanceof ArcomatParser.ParametersContext
                             || parent instanceof ArcomatParser.RepeatedGroupContext;

@@ -140,7 +140,7 @@ final class NaiveAutomata {
         for (Automaton.Transition each : automaton.transitions()) {
             try {
                 boolean from = each.source() == place.state && !unknownEvent;
-                if (from && isEnabled(each, values)) {
+                if (from && isEnabled(each, values) && isFirst(automaton, each, values)) {
                     steps.add(
                             effect(
                                     automaton,
@@ -182,6 +182,14 @@ final class NaiveAutomata {
         Map<String, Slot> open = new LinkedHashMap<>();
         outputs.forEach(port -> open.put(port.name(), Slot.open(port)));
         return open;
+    }
+
+    private static boolean isFirst(
+            Automaton automaton, Automaton.Transition transition, NaiveValues values) {
+        return automaton.transitions().stream()
+                .filter(each -> each.source() == transition.source())
+                .filter(each -> each.rank() < transition.rank())
+                .noneMatch(each -> isEnabled(each, values));
     }
 
     private static boolean isEnabled(Automaton.Transition transition, NaiveValues values) {

@@ -1,5 +1,6 @@
 package arcomat.semantics.expression;
 
+import static arcomat.semantics.ComponentBuilder.NOWHERE;
 import static arcomat.semantics.Expressions.binary;
 import static arcomat.semantics.Expressions.not;
 import static arcomat.semantics.Expressions.number;
@@ -60,6 +61,33 @@ class GuardsTest {
         assertThat(evaluate(Expressions.trueWhen(GUARDS, guard), letter)).isEqualTo(truth(kleene));
         assertThat(evaluate(Expressions.trueWhen(GUARDS, not(guard)), letter))
                 .isEqualTo(truth(FALSE.equals(kleene) ? TRUE : FALSE));
+    }
+
+    /** The one with the greater rank is enabled where its guard is true and the other's is not. */
+    @Property(seed = "3", tries = 2000, edgeCases = EdgeCasesMode.NONE)
+    void whoComesFirstIsNotAskedInVain(
+            @ForAll("guards") Expression first,
+            @ForAll("guards") Expression second,
+            @ForAll("letters") Value[] letter) {
+        Automaton automaton =
+                new Automaton(
+                        "",
+                        Automaton.Completion.IGNORE,
+                        Automaton.Omitted.SILENT,
+                        List.of("here"),
+                        List.of(),
+                        List.of(),
+                        List.of(Expressions.ranked(second, 1), Expressions.ranked(first, 0)),
+                        NOWHERE);
+        boolean expected =
+                TRUE.equals(evaluate(second, letter)) && !TRUE.equals(evaluate(first, letter));
+        Expression enabled = GUARDS.enabledWhen(automaton, automaton.transitions().get(0));
+        assertThat(evaluate(enabled, letter)).isEqualTo(new Value.BooleanValue(expected));
+        for (boolean stale : new boolean[] {false, true}) {
+            assertThat(new StaleReading(letter, stale).holds(enabled)).isEqualTo(expected);
+        }
+        Expression before = GUARDS.enabledWhen(automaton, automaton.transitions().get(1));
+        assertThat(evaluate(before, letter)).isEqualTo(truth(evaluate(first, letter)));
     }
 
     private static Value truth(Value value) {

@@ -71,7 +71,8 @@ public record SureSending(Knowledge knowledge) {
     private boolean dependsOnThePast(int transition) {
         Expression condition =
                 new Guards(knowledge.subject().component().profile())
-                        .enabledWhen(transitions().get(transition));
+                        .enabledWhen(
+                                knowledge.subject().automaton(), transitions().get(transition));
         return condition.contains(Expression.VariableRead.class::isInstance)
                 || condition.ports().stream().anyMatch(Port::latched);
     }

@@ -57,11 +57,12 @@ final class SureTrigger {
 
     private SureTrigger() {}
 
-    /** Empty where a guard or a value would have to be looked at more closely. */
+    /** Empty where a guard, a value, or others that come first would have to be looked at. */
     static Optional<SureTrigger> of(TransitionSymbol transition) {
         SureTrigger trigger = new SureTrigger();
         AutomatonElement.Transition node = transition.node();
-        if (transition.guard().isPresent()
+        if (node.rank() > 0
+                || transition.guard().isPresent()
                 || transition.actions().isPresent()
                 || !areMessages(node.input())) {
             return Optional.empty();
