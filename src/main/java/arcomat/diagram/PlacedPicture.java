@@ -19,6 +19,8 @@ import org.eclipse.elk.graph.ElkShape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** Reads from a graph with a layout where everything is. */
 final class PlacedPicture {
@@ -62,7 +64,9 @@ final class PlacedPicture {
         }
         elements.add(new Element(node.mark(), shapes));
         node.children().forEach(child -> place(child, box.x(), box.y()));
-        node.edges().forEach(edge -> place(edge, placed, box.x(), box.y()));
+        Set<ElkNode> inside =
+                node.inside().stream().map(layout.nodes::get).collect(Collectors.toSet());
+        node.edges().forEach(edge -> place(edge, inside, box.x(), box.y()));
         node.ports().forEach(port -> place(port, box.x(), box.y()));
     }
 
@@ -82,13 +86,17 @@ final class PlacedPicture {
         elements.add(new Element(port.mark(), shapes));
     }
 
-    /** Where it lies is said from the innermost node on that has both its ends. */
-    private void place(Edge edge, ElkNode holder, double holderX, double holderY) {
+    /**
+     * Where it lies is said from the innermost node on that has both its ends.
+     *
+     * @param inside all nodes between those and who has the edge: one graph may be drawn twice
+     */
+    private void place(Edge edge, Set<ElkNode> inside, double holderX, double holderY) {
         List<ElkEdge> placed = Objects.requireNonNull(layout.edges.get(edge));
         double x = holderX;
         double y = holderY;
         ElkNode inner = placed.get(0).getContainingNode();
-        while (inner != holder && inner != null) {
+        while (inside.contains(inner)) {
             x += inner.getX();
             y += inner.getY();
             inner = inner.getParent();
