@@ -18,6 +18,7 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.CodeSource;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -94,7 +95,7 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
         List<Arrival> guests = new ArrayList<>();
         try {
             for (Guest guest : ServiceLoader.load(Guest.class, loader)) {
-                if (guest.getClass().getClassLoader() == loader) {
+                if (isOurs(guest)) {
                     guests.add(arrival(guest));
                 }
             }
@@ -110,6 +111,16 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     path, Guest.class.getName());
         }
         return guests;
+    }
+
+    /** Where the tool is a part of somebody's process, that may have loaded the same jar before. */
+    private boolean isOurs(Guest guest) {
+        if (guest.getClass().getClassLoader() == loader) {
+            return true;
+        }
+        CodeSource source = guest.getClass().getProtectionDomain().getCodeSource();
+        return source != null
+                && String.valueOf(source.getLocation()).equals(loader.getURLs()[0].toString());
     }
 
     private WrongUse ill(String reason) {

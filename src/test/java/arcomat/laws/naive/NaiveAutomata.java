@@ -92,11 +92,8 @@ final class NaiveAutomata {
         for (Automaton automaton : automata) {
             List<Step> own = new ArrayList<>();
             Map<String, Value> variables = new HashMap<>();
-            for (Variable variable : automaton.variables()) {
-                variables.put(
-                        variable.name(),
-                        new NaiveValues(Map.of(), Map.of()).of(variable.initial()));
-            }
+            component.constants().forEach(constant -> put(constant, variables));
+            automaton.variables().forEach(variable -> put(variable, variables));
             NaiveValues values = new NaiveValues(Map.of(), variables);
             for (Automaton.Initial initial : automaton.initials()) {
                 Step step =
@@ -114,6 +111,11 @@ final class NaiveAutomata {
             each.add(own);
         }
         return joint(each);
+    }
+
+    private static void put(Variable variable, Map<String, Value> values) {
+        NaiveValues known = new NaiveValues(Map.of(), Map.copyOf(values));
+        values.put(variable.name(), known.of(variable.initial()));
     }
 
     Steps steps(List<Place> places, Map<String, Value> inputs, boolean unknownEvent) {

@@ -99,7 +99,8 @@ abstract class ToolMojo extends AbstractMojo {
         File folder = built("arcomat/libraries");
         try {
             List<File> libraries = ModelLibraries.unpack(project, folder);
-            return run(command.about(shown(roots), shown(libraries)));
+            List<File> guests = PluginGuests.of(ToolMojo.class.getClassLoader());
+            return run(command.with("--with", shown(guests)).about(shown(roots), shown(libraries)));
         } catch (IOException e) {
             throw new MojoExecutionException("cannot unpack models to " + shown(folder), e);
         } catch (DependencyResolutionRequiredException e) {
