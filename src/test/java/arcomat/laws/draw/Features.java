@@ -22,7 +22,9 @@ public enum Features {
     /** Messages and ports that an automaton leaves open. */
     OPEN,
     /** Variables of the component that its automaton writes. */
-    FIELDS;
+    FIELDS,
+    /** Transitions that come before others. */
+    RANKS;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}
