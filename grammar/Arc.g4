@@ -12,7 +12,7 @@ arcUnit
 
 component
     : stereotypes? modifier* 'component' name typeParameters? parameters?
-      ('extends' superType = type)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
+      ('extends' superType = type superArguments = componentArguments?)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
       namedInstance? '{' element* '}'
     ;
 
@@ -71,7 +71,7 @@ port
     ;
 
 subcomponent
-    : stereotypes? 'component' type arguments? (instance (',' instance)*)? ';'
+    : stereotypes? 'component' type componentArguments? (instance (',' instance)*)? ';'
     ;
 
 instance

@@ -17,8 +17,10 @@ automatonElement
     : kind = ('variable' | 'input' | 'output') type variable (',' variable)* ';'    # declaration
     | 'var' type variable (',' variable)* ';'                               # markedDeclaration
     | 'state' state (',' state)* ';'                                        # states
-    | 'initial' name (',' name)* ('/' block)? ';'                           # initial
-    | source = name ('->' target = name)? guard? input = block? ('/' output = block)? ';'   # transition
+    | 'initial' name (',' name)* ('/' effect)? ';'                          # initial
+    | 'initial' effect name (',' name)* ';'                                 # initialBehind
+    | 'initial' effect? 'state' state (',' state)* ';'                      # initialStates
+    | source = name ('->' target = name)? guard? input = block? ('/' effect)? ';'   # transition
     | plainType valuedVariable (',' variable)* ';'                          # plainDeclaration
     ;
 
@@ -33,6 +35,26 @@ state
 
 guard
     : '[' (name ':')? expression ']'
+    ;
+
+// What a block says happens at once, statements one after the other.
+effect
+    : block
+    | 'do' statements
+    ;
+
+statements
+    : '{' statement* '}'
+    ;
+
+statement
+    : statements                                                            # nestedStatements
+    | 'if' '(' expression ')' then = statement ('else' otherwise = statement)?   # choiceStatement
+    | 'var' type variable (',' variable)* ';'                               # markedLocals
+    | plainType variable (',' variable)* ';'                                # plainLocals
+    | name '=' value ';'                                                    # assignment
+    | name operator = ('+=' | '-=') expression ';'                          # changeStatement
+    | name operator = ('++' | '--') ';'                                     # stepStatement
     ;
 
 block

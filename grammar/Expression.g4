@@ -57,6 +57,15 @@ arguments
     : '(' (expression (',' expression)*)? ')'
     ;
 
+// For the parameters of a component, some by their names.
+componentArguments
+    : '(' (componentArgument (',' componentArgument)*)? ')'
+    ;
+
+componentArgument
+    : (name '=')? expression
+    ;
+
 creator
     : name ('.' name)* typeArguments? (arguments | ('[' expression ']')+)
     | primitiveType ('[' expression ']')+

@@ -27,7 +27,7 @@ name
     : ID
     | 'abstract' | 'aggregation' | 'alt' | 'association' | 'autoconnect' | 'autoinstantiate'
     | 'automaton' | 'behavior' | 'call' | 'causalsync' | 'class' | 'classdiagram' | 'component'
-    | 'composition' | 'compute' | 'connect' | 'delayed' | 'deploy' | 'derived' | 'enum' | 'events'
+    | 'composition' | 'compute' | 'connect' | 'delayed' | 'deploy' | 'derived' | 'do' | 'enum' | 'events'
     | 'expect' | 'extends' | 'final' | 'for' | 'implementation' | 'implements' | 'import' | 'in'
     | 'init' | 'initial' | 'input' | 'instant' | 'interface' | 'inv' | 'off' | 'on' | 'out'
     | 'output' | 'package' | 'port' | 'ports' | 'private' | 'protected' | 'public' | 'refines'

@@ -10,7 +10,7 @@ testSuiteUnit
     ;
 
 testSuite
-    : 'testsuite' name 'for' qualifiedName arguments? '{' suiteMember* '}'
+    : 'testsuite' name 'for' qualifiedName componentArguments? '{' suiteMember* '}'
     ;
 
 suiteMember

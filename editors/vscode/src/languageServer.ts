@@ -41,7 +41,7 @@ export class LanguageServer implements vscode.Disposable {
 
   private options(): LanguageClientOptions {
     return {
-      documentSelector: Object.values(LANGUAGES).map((language) => ({ scheme: 'file', language })),
+      documentSelector: [...new Set(Object.values(LANGUAGES))].map((language) => ({ scheme: 'file', language })),
       outputChannel: this.output,
       initializationOptions: () => ({ libraries: this.tool.libraries }),
       synchronize: { configurationSection: 'arcomat' },

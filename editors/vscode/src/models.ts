@@ -6,6 +6,7 @@ export const LANGUAGES: Readonly<Record<string, string>> = {
   '.arc': 'arcomat',
   '.cd': 'arcomat-class-diagram',
   '.ioautomaton': 'arcomat-automaton',
+  '.maa': 'arcomat',
   '.mt': 'arcomat-stream-test',
   '.world': 'arcomat-world',
   '.script': 'arcomat-script',
@@ -69,7 +70,7 @@ function escaped(name: string): string {
 
 /** All components of the workspace, by name. */
 async function definitions(): Promise<Definition[]> {
-  const files = await vscode.workspace.findFiles('**/*.{arc,ioautomaton}', MADE);
+  const files = await vscode.workspace.findFiles('**/*.{arc,ioautomaton,maa}', MADE);
   const found = await Promise.all(files.map(async (file) => definitionIn(file, await readQuietly(file))));
   return found
     .filter((each): each is Definition => each !== undefined)
@@ -133,7 +134,7 @@ export async function shownOrPickedRoot(title: string): Promise<string | undefin
   if (document && document.languageId in byLanguage) {
     return modelRoot(document.uri, document.getText());
   }
-  const files = await vscode.workspace.findFiles('**/*.{arc,ioautomaton,cd}', MADE);
+  const files = await vscode.workspace.findFiles('**/*.{arc,ioautomaton,maa,cd}', MADE);
   const roots = [...new Set(await Promise.all(files.map(async (file) => modelRoot(file, await readQuietly(file)))))].sort();
   return roots.length > 1 ? vscode.window.showQuickPick(roots, { title }) : roots[0];
 }

@@ -4,7 +4,9 @@ component Bad {
   ocl inv small: a < 10;
   java inv small: { return b < 10; };
 //         ~~~~~ warning ARC0132
-//         ~~~~~ error ARC0216: component 'Bad' has an invariant 'small' already; rename one of them
+//         ~~~~~ warning ARC0216: component 'Bad' has an invariant 'small' already, so that this one is told as 'small#2'; rename one of them
+  inv small: a > 2;
+//    ~~~~~ warning ARC0216: component 'Bad' has an invariant 'small' already, so that this one is told as 'small#3'; rename one of them
 }
 
 //// Good.arc

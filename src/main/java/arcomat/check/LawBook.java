@@ -1,5 +1,6 @@
 package arcomat.check;
 
+import arcomat.check.behaviour.action.ActionLaws;
 import arcomat.check.behaviour.automaton.AutomatonLaws;
 import arcomat.check.behaviour.expression.ExpressionLaws;
 import arcomat.check.behaviour.item.ItemLaws;
@@ -46,6 +47,7 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                                 NamingLaws.LAWS,
                                 AutomatonLaws.LAWS,
                                 ExpressionLaws.LAWS,
+                                ActionLaws.LAWS,
                                 ItemLaws.LAWS,
                                 TotalLaws.LAWS,
                                 RefinementLaws.LAWS,

@@ -2,6 +2,7 @@ package arcomat.lower;
 
 import arcomat.model.Expression;
 import arcomat.model.Parameter;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
 
@@ -9,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Arguments for the parameters of a component. */
 final class ArgumentLowering {
@@ -22,7 +24,7 @@ final class ArgumentLowering {
      * @param declaring what they mean in the component that declares the parameters
      */
     static List<Expression> lower(
-            List<Typed> written,
+            List<GivenArgument> written,
             Environment user,
             List<ParameterSymbol> symbols,
             List<Parameter> parameters,
@@ -31,9 +33,10 @@ final class ArgumentLowering {
         Map<String, Expression> byName = new HashMap<>();
         for (int i = 0; i < parameters.size(); i++) {
             Parameter parameter = parameters.get(i);
-            boolean isWritten = i < written.size();
-            Typed value = isWritten ? written.get(i) : symbols.get(i).initial().orElseThrow();
-            Environment names = isWritten ? user : declaring.withArguments(byName);
+            ParameterSymbol symbol = symbols.get(i);
+            Optional<Typed> given = GivenArgument.find(written, symbol);
+            Typed value = given.or(symbol::initial).orElseThrow();
+            Environment names = given.isPresent() ? user : declaring.withArguments(byName);
             all.add(new ExpressionLowering(names).lower(value, parameter.type()));
             byName.put(parameter.name(), all.get(i));
         }

@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Variable;
+import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
@@ -18,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** One automaton: names resolved, conditions on variables moved into guards. */
 final class AutomatonLowering {
@@ -47,12 +49,21 @@ final class AutomatonLowering {
                 symbol.states().stream().map(StateSymbol::name).toList(),
                 variables,
                 symbol.initials().stream().map(this::initial).toList(),
-                symbol.transitions().stream().map(this::transition).toList(),
+                symbol.transitions().stream().flatMap(this::transitions).toList(),
                 symbol.states().stream().map(StateSymbol::nameSpan).toList(),
                 symbol.node().span());
     }
 
     private Automaton.Initial initial(InitialSymbol initial) {
+        if (initial.actions().isPresent()) {
+            // A law lets nothing be decided here, so there is one way.
+            ActionPath path = paths(initial.actions().get()).get(0);
+            return new Automaton.Initial(
+                    initial.state().orElseThrow().index(),
+                    path.sent(),
+                    path.assignments(),
+                    initial.node().span());
+        }
         return new Automaton.Initial(
                 initial.state().orElseThrow().index(),
                 sends(initial.items()),
@@ -60,20 +71,48 @@ final class AutomatonLowering {
                 initial.node().span());
     }
 
-    private Automaton.Transition transition(TransitionSymbol transition) {
+    private List<ActionPath> paths(ActionSymbol actions) {
+        return ActionLowering.lower(actions, environment);
+    }
+
+    /** Several where statements choose: one for each way through them. */
+    private Stream<Automaton.Transition> transitions(TransitionSymbol transition) {
+        if (transition.actions().isEmpty()) {
+            List<ItemSymbol> output = transition.output();
+            return Stream.of(transition(transition, List.of(), sends(output), assignments(output)));
+        }
+        return paths(transition.actions().get()).stream()
+                .map(
+                        path ->
+                                transition(
+                                        transition,
+                                        path.conditions(),
+                                        path.sent(),
+                                        path.assignments()));
+    }
+
+    /**
+     * @param conditions that have to be true besides the guard
+     */
+    private Automaton.Transition transition(
+            TransitionSymbol transition,
+            List<Expression> conditions,
+            List<Automaton.Send> sends,
+            List<Automaton.Assignment> assignments) {
         List<Automaton.Match> matches = new ArrayList<>();
         List<Expression> guards = new ArrayList<>();
         transition.guard().ifPresent(g -> guards.add(expressions.lower(g.expression())));
         for (ItemSymbol item : transition.input()) {
             addCondition(item, matches, guards);
         }
+        guards.addAll(conditions);
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
                 transition.target().orElseThrow().index(),
                 guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards)),
                 matches,
-                sends(transition.output()),
-                assignments(transition.output()),
+                sends,
+                assignments,
                 transition.node().rank(),
                 transition.node().span());
     }

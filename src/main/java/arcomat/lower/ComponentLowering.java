@@ -88,7 +88,7 @@ final class ComponentLowering {
         List<Port> ports = ports(instantiation);
         Environment types = Environment.of(instantiation.substitution());
         List<Parameter> parameters = parameters(symbol.parameters(), types);
-        Environment outer = types.withParameters(parameters);
+        Environment outer = SuperArguments.settle(symbol, types.withParameters(parameters));
         List<Variable> constants = VariableLowering.lower(constants(symbol), outer);
         Environment inside = outer.withConstants(constants).withPorts(ports);
         environments.put(instantiation, inside);

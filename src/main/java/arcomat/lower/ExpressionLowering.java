@@ -80,6 +80,10 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
 
     @Override
     public Expression parameterRead(TypedExpression.ParameterRead read) {
+        Expression settled = environment.settled().get(read.parameter());
+        if (settled != null) {
+            return settled;
+        }
         String name = read.parameter().name();
         Expression argument = environment.arguments().get(name);
         return argument != null

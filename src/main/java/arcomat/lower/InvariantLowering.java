@@ -33,7 +33,7 @@ final class InvariantLowering {
                 .map(
                         symbol ->
                                 new Invariant(
-                                        symbol.name(),
+                                        symbol.title(),
                                         expressions.lower(
                                                 symbol.condition().orElseThrow(),
                                                 new Type.BooleanType()),

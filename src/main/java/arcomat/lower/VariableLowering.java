@@ -19,8 +19,8 @@ final class VariableLowering {
         for (VariableSymbol symbol : symbols) {
             Variable variable = lower(symbol, current);
             variables.add(variable);
-            if (symbol.kind()
-                    == VariableSymbol.Kind.COMPONENT) { // no law lets a field be read here
+            // A field counts as a constant here: a law lets nobody read it so early.
+            if (symbol.kind() == VariableSymbol.Kind.COMPONENT) {
                 current = current.withConstants(List.of(variable));
             }
         }

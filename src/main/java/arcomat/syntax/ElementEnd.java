@@ -14,10 +14,13 @@ final class ElementEnd {
      * @param error index of the first token that does not fit
      * @param hasBody whether semicolons may stand in its braces, line by line. If not, a semicolon
      *     at the end of a line ends it, even if a brace is missing.
+     * @param isStatement whether the brace that closes the body around it may be followed by the
+     *     rest of an element, as that of {@code do {..};}
      * @return index of the first token behind the element, greater than {@code start} unless that
      *     token closes the body around it
      */
-    static int find(TokenStream tokens, int start, int error, boolean hasBody) {
+    static int find(
+            TokenStream tokens, int start, int error, boolean hasBody, boolean isStatement) {
         int depth = 0;
         for (int i = start; ; i++) {
             Token token = tokens.get(i);
@@ -28,7 +31,7 @@ final class ElementEnd {
                 }
                 case ArcomatLexer.OPEN_BRACE -> depth++;
                 case ArcomatLexer.CLOSE_BRACE -> {
-                    if (depth == 0 && reached && !goesOn(tokens, i)) {
+                    if (depth == 0 && reached && (isStatement || !goesOn(tokens, i))) {
                         return i;
                     }
                     depth = Math.max(0, depth - 1);

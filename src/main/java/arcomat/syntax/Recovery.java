@@ -33,6 +33,7 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_importDeclaration,
                     ArcomatParser.RULE_element,
                     ArcomatParser.RULE_automatonElement,
+                    ArcomatParser.RULE_statement,
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_typeDefinition,
                     ArcomatParser.RULE_typeMember,
@@ -45,6 +46,7 @@ final class Recovery extends DefaultErrorStrategy {
     private static final Set<Integer> WITH_BODY =
             Set.of(
                     ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_statement,
                     ArcomatParser.RULE_typeDefinition,
                     ArcomatParser.RULE_suiteMember,
                     ArcomatParser.RULE_testPart);
@@ -54,6 +56,7 @@ final class Recovery extends DefaultErrorStrategy {
             Set.of(
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_statements,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_classDiagram,
@@ -160,7 +163,10 @@ final class Recovery extends DefaultErrorStrategy {
 
     private void skip(Parser parser, int start, boolean hasBody) {
         TokenStream tokens = parser.getInputStream();
-        skipTo(parser, ElementEnd.find(tokens, start, tokens.index(), hasBody));
+        int rule = parser.getContext().getRuleIndex();
+        boolean isStatement =
+                rule == ArcomatParser.RULE_statement || rule == ArcomatParser.RULE_statements;
+        skipTo(parser, ElementEnd.find(tokens, start, tokens.index(), hasBody, isStatement));
         resumedAt = tokens.index();
     }
 

@@ -22,12 +22,31 @@ public sealed interface AutomatonElement extends Node {
 
     record State(Span span, List<Stereotype> stereotypes, Name name) implements Node {}
 
-    record Initial(Span span, List<Name> states, Optional<Block> output)
-            implements AutomatonElement {}
+    /**
+     * {@code initial a, b / {..};}. It may stand before the states that it declares.
+     *
+     * @param declared the states, where they are declared with it
+     * @param output what happens at once; empty also where there are actions
+     * @param actions what happens one after the other
+     */
+    record Initial(
+            Span span,
+            List<Name> states,
+            List<State> declared,
+            Optional<Block> output,
+            Optional<Statement.Sequence> actions)
+            implements AutomatonElement {
+        /** Without statements, of states that are declared elsewhere. */
+        public Initial(Span span, List<Name> states, Optional<Block> output) {
+            this(span, states, List.of(), output, Optional.empty());
+        }
+    }
 
     /**
      * Without a target the transition is a loop.
      *
+     * @param output what happens at once; empty also where there are actions
+     * @param actions what happens one after the other
      * @param rank it is taken only where none with a smaller one is enabled; texts have no word for
      *     it, and guests may have
      */
@@ -38,11 +57,12 @@ public sealed interface AutomatonElement extends Node {
             Optional<Guard> guard,
             Optional<Block> input,
             Optional<Block> output,
+            Optional<Statement.Sequence> actions,
             int rank)
             implements AutomatonElement {
         /** The same with another rank. */
         public Transition withRank(int other) {
-            return new Transition(span, source, target, guard, input, output, other);
+            return new Transition(span, source, target, guard, input, output, actions, other);
         }
     }
 

@@ -9,6 +9,8 @@ import java.util.Optional;
 /**
  * A component type, top-level or inner.
  *
+ * @param superArguments for the parameters of the component it extends; empty where none are
+ *     written, so that it has those parameters itself
  * @param instance the instance declared with it, {@code component A a {..}}
  */
 public record Component(
@@ -20,6 +22,7 @@ public record Component(
         List<TypeParameter> typeParameters,
         List<Parameter> parameters,
         Optional<TypeReference> superComponent,
+        Optional<List<Argument>> superArguments,
         List<QualifiedName> refines,
         Optional<NamedInstance> instance,
         List<Element> elements)

@@ -78,7 +78,7 @@ public sealed interface Element extends Node
             Span span,
             List<Stereotype> stereotypes,
             TypeReference type,
-            List<Expression> arguments,
+            List<Argument> arguments,
             List<Instance> instances)
             implements Element {
         @Override

@@ -11,7 +11,7 @@ public record TestSuite(
         Span span,
         Name name,
         QualifiedName component,
-        List<Expression> arguments,
+        List<Argument> arguments,
         List<Member> members)
         implements Definition {
     @Override

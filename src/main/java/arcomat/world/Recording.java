@@ -20,6 +20,7 @@ import java.util.stream.IntStream;
  * @param failures why programs stopped, by robot
  * @param blind sockets that programs have read, and in which their robots have no such sensor
  * @param late robots whose slices took too long
+ * @param idle why transitions did not fire; empty where nobody has asked
  */
 public record Recording(
         World world,
@@ -28,7 +29,8 @@ public record Recording(
         List<Event> events,
         Map<String, String> failures,
         List<Blind> blind,
-        List<Late> late) {
+        List<Late> late,
+        List<Idle> idle) {
     /** From one frame to the next, in milliseconds. */
     public static final int PERIOD = 100;
 
@@ -41,6 +43,7 @@ public record Recording(
         failures = Map.copyOf(failures);
         blind = List.copyOf(blind);
         late = List.copyOf(late);
+        idle = List.copyOf(idle);
     }
 
     /**
@@ -63,6 +66,26 @@ public record Recording(
      * @param sensor what the program takes it for; empty where the robot has no sensor at all
      */
     public record Blind(String robot, int socket, Optional<String> sensor) {}
+
+    /**
+     * What a part of a robot's program waits for.
+     *
+     * @param part its path; empty for the whole
+     * @param reasons in the order of time; each holds until the next
+     */
+    public record Idle(String robot, String part, List<Reason> reasons) {
+        public Idle {
+            reasons = List.copyOf(reasons);
+        }
+    }
+
+    /**
+     * Why no transition of an automaton fires.
+     *
+     * @param time of the first slice, in milliseconds
+     * @param words the transition that came nearest, and what it lacked; empty from where one fires
+     */
+    public record Reason(int time, String words) {}
 
     /**
      * The world at a moment.

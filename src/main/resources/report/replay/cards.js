@@ -26,7 +26,11 @@ class Cards {
     const mark = robot.moves ? button("Follow", "Follow " + robot.name, () => follow(number), { "aria-pressed": "false" }) : null;
     const heading = element("h2", {}, element("span", {}, robot.name), mark);
     const card = element("article", { class: "card" }, heading, element("p", { class: "kind" }, robot.program), display, list);
-    return { card, display, facts, mark, robot };
+    const idle = element("ul", {});
+    if (this.recording.idling?.parts.some((each) => each.robot === robot.name)) {
+      card.append(element("details", { class: "idle" }, element("summary", {}, "Why not"), idle));
+    }
+    return { card, display, facts, mark, robot, idle };
   }
 
   follow(number) {
@@ -39,9 +43,12 @@ class Cards {
   }
 
   show(time) {
-    this.cards.forEach(({ display, facts, robot }, number) => {
+    this.cards.forEach(({ display, facts, robot, idle }, number) => {
       const now = this.recording.robot(number, time);
       display.textContent = now.display;
+      idle.replaceChildren(
+        ...this.recording.idle(robot.name, time).map(({ part, words }) => element("li", {}, (part === "" ? "" : part + ": ") + words)),
+      );
       if (robot.moves) {
         facts.get("wheels").textContent = `${now.left} and ${now.right} mm/s`;
         facts.get("cup").textContent = now.cup;

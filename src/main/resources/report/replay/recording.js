@@ -8,6 +8,7 @@ class Recording {
     this.frames = data.frames;
     this.events = data.events;
     this.period = data.period;
+    this.idling = data.idle;
     this.length = this.frames.length === 0 ? 0 : this.frames[this.frames.length - 1].t;
   }
 
@@ -35,6 +36,32 @@ class Recording {
   static parts(robot) {
     const [x, y, heading, left, right, cup, readings, display, stock, isBrewing] = robot;
     return { x, y, heading, left, right, cup: CUPS[cup], readings, display, stock, isBrewing };
+  }
+
+  /** What the parts of a robot wait for at a moment: their paths and the reasons. */
+  idle(name, time) {
+    if (this.idling === undefined) {
+      return [];
+    }
+    return this.idling.parts
+      .filter((each) => each.robot === name)
+      .map((each) => ({ part: each.part, words: this.idling.texts[Recording.last(each.reasons, time)] ?? "" }))
+      .filter((each) => each.words !== "");
+  }
+
+  /** The text that holds at a moment, of moments and texts in turn; -1 before the first. */
+  static last(reasons, time) {
+    let low = 0;
+    let high = reasons.length / 2;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (reasons[2 * middle] <= time) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low === 0 ? -1 : reasons[2 * low - 1];
   }
 
   drinker(number, time) {

@@ -74,6 +74,29 @@ class InstallationTest {
         assertThat(run(moved, "--version")).isEqualTo(here);
     }
 
+    /** An editor waits for a server's first findings while its classes are loaded. */
+    @Test
+    void theArchiveHoldsWhatChecksAndTheLanguageServerLoad() throws Exception {
+        for (String[] each :
+                new String[][] {
+                    {"arcomat.check.Checks", "check", MODELS},
+                    {"arcomat.editor.desk.Desk", "language-server"},
+                    {"com.google.gson.Gson", "language-server"}
+                }) {
+            Path log = temporary.resolve("loaded.txt");
+            ProcessBuilder command =
+                    command(
+                            INSTALLATION,
+                            List.of(each).subList(1, each.length).toArray(String[]::new));
+            command.environment().put("JAVA_OPTS", "-Xlog:class+load:file=" + log);
+            command.redirectInput(Path.of("/dev/null").toFile());
+            outcome(command);
+            assertThat(Files.readAllLines(log))
+                    .as(each[0])
+                    .anyMatch(line -> line.contains(each[0] + " source: shared objects file"));
+        }
+    }
+
     @Test
     void tellsWhoseLibrariesItHolds() throws Exception {
         for (String file : List.of("LICENSE", "NOTICE", "sbom.cdx.json")) {

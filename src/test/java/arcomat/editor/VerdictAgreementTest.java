@@ -111,7 +111,8 @@ class VerdictAgreementTest {
     }
 
     private static boolean isModel(Path file) {
-        return Stream.of(".arc", ".cd", ".mt", ".ioautomaton").anyMatch(file.toString()::endsWith);
+        return Stream.of(".arc", ".cd", ".mt", ".ioautomaton", ".maa")
+                .anyMatch(file.toString()::endsWith);
     }
 
     private static List<String> files(Path folder) throws IOException {

@@ -120,7 +120,7 @@ final class SymbolText {
                         + instance.ports().stream()
                                 .map(p -> " " + p.name() + ":" + p.type())
                                 .collect(Collectors.joining()));
-        instance.arguments().forEach(a -> line(2, "argument" + typed(a)));
+        instance.arguments().forEach(a -> line(2, "argument" + typed(a.value())));
     }
 
     private void connector(ConnectorSymbol connector) {

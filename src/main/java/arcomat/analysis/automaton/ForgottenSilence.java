@@ -9,7 +9,9 @@ import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.source.Diagnostic;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
@@ -20,13 +22,24 @@ import java.util.stream.Collectors;
 final class ForgottenSilence extends WitnessedAnalysis<Integer> {
     static final String CODE = "ARC1010";
 
+    private final Map<Integer, Boolean> told = new HashMap<>();
+
     ForgottenSilence(Subject subject) {
         super(subject);
     }
 
+    /** Of the ways through a transition, which have its guard together, one is told. */
     @Override
     void see(Situation situation) {
-        situation.silenced().forEach(transition -> witness(transition, situation));
+        for (int transition : situation.silenced()) {
+            if (told.computeIfAbsent(transition, this::isFirstOfItsWays)) {
+                witness(transition, situation);
+            }
+        }
+    }
+
+    private boolean isFirstOfItsWays(int transition) {
+        return subject.ways(transition).stream().noneMatch(told::containsKey);
     }
 
     @Override

@@ -5,6 +5,7 @@ import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Transition;
 import arcomat.source.Diagnostic;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,9 +30,12 @@ final class UnreachableState extends Analysis {
     }
 
     private Diagnostic diagnostic(int state) {
-        List<Transition> leading =
+        // Statements may lead there in several ways.
+        List<Span> leading =
                 subject.automaton().transitions().stream()
                         .filter(t -> t.target() == state && t.source() != state)
+                        .map(Transition::span)
+                        .distinct()
                         .toList();
         String reason =
                 leading.isEmpty()
@@ -42,8 +46,8 @@ final class UnreachableState extends Analysis {
                         CODE,
                         subject.automaton().places().get(state),
                         "state %s is never reached: %s".formatted(subject.state(state), reason));
-        for (Transition transition : leading) {
-            diagnostic = diagnostic.withRelated(transition.span(), "leads to it");
+        for (Span transition : leading) {
+            diagnostic = diagnostic.withRelated(transition, "leads to it");
         }
         return diagnostic;
     }

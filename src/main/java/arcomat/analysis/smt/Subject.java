@@ -73,6 +73,22 @@ public record Subject(
         return automaton.transitions().get(index);
     }
 
+    /**
+     * The ways through the statements of a transition, itself included: what was written at the
+     * same place and leads from and to the same states.
+     */
+    public List<Integer> ways(int transition) {
+        Automaton.Transition one = transition(transition);
+        return IntStream.range(0, automaton.transitions().size())
+                .filter(
+                        each ->
+                                transition(each).span().equals(one.span())
+                                        && transition(each).source() == one.source()
+                                        && transition(each).target() == one.target())
+                .boxed()
+                .toList();
+    }
+
     public String state(int index) {
         return automaton.states().get(index);
     }

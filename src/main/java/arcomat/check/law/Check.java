@@ -6,6 +6,7 @@ import arcomat.source.Nearest;
 import arcomat.source.Severity;
 import arcomat.source.Span;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
@@ -104,6 +105,14 @@ public interface Check {
      */
     interface OnBlock extends Check {
         void check(Block block, List<ItemSymbol> items, Context context, Findings findings);
+    }
+
+    /**
+     * Called for the statements of transitions and initial states; the context knows the side.
+     * Assignments in them are items as well.
+     */
+    interface OnActions extends Check {
+        void check(ActionSymbol actions, Context context, Findings findings);
     }
 
     interface OnItem extends Check {

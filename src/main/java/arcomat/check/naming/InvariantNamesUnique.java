@@ -3,7 +3,7 @@ package arcomat.check.naming;
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.tree.Element;
+import arcomat.symbols.bodies.InvariantSymbol;
 
 /** ARC0216: the invariants of a component differ in name. */
 public final class InvariantNamesUnique implements Check.OnComponent {
@@ -11,12 +11,16 @@ public final class InvariantNamesUnique implements Check.OnComponent {
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
         Duplicates.report(
-                component.node().elements(Element.Invariant.class).stream()
-                        .map(Element.Invariant::name)
-                        .toList(),
-                findings,
-                "component '%s' has an invariant '%s' already; rename one of them",
-                component.name(),
-                "the first one");
+                component.ownInvariants(),
+                InvariantSymbol::name,
+                (invariant, first) ->
+                        findings.report(
+                                        invariant.node().name(),
+                                        "component '%s' has an invariant '%s' already, so that"
+                                                + " this one is told as '%s'; rename one of them",
+                                        component.name(),
+                                        invariant.name(),
+                                        invariant.title())
+                                .related(first.node().name(), "the first one"));
     }
 }

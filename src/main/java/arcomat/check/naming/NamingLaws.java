@@ -17,7 +17,7 @@ public final class NamingLaws {
                     error("ARC0213", new FileNamesDifferInCaseOnly()),
                     error("ARC0204", new InitialDeclaredOnce()),
                     error("ARC0215", new InnerComponentNamesUnique()),
-                    error("ARC0216", new InvariantNamesUnique()),
+                    warning("ARC0216", new InvariantNamesUnique()),
                     error("ARC0214", new JavaClassUnique()).needing(ALL),
                     error("ARC0201", new MemberNamesUnique()),
                     error("ARC0208", new PackageIsFolder()),

@@ -6,6 +6,7 @@ import arcomat.check.law.Check;
 import arcomat.check.structure.component.ArgumentCount;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
 
@@ -30,27 +31,26 @@ public final class TestArguments implements Check.OnTestSuite {
             return;
         }
         List<ParameterSymbol> parameters = component.parameters();
-        List<Typed> arguments = suite.arguments();
         reportMissing(suite, component, findings);
-        for (int i = 0; i < arguments.size(); i++) {
-            if (i >= parameters.size()) {
+        for (GivenArgument argument : suite.arguments()) {
+            if (argument.parameter().isEmpty() && !argument.isLost()) {
                 findings.report(
-                        arguments.get(i).expression().node(),
+                        argument.node(),
                         "component '%s' has %s; remove this argument",
                         component.name(),
                         parameters.isEmpty()
                                 ? "no parameters"
                                 : Wording.count(parameters.size(), "parameter"));
-            } else if (!arguments.get(i).isAssignableTo(parameters.get(i).type())) {
-                reportType(arguments.get(i), parameters.get(i), findings);
             }
+            argument.parameter()
+                    .filter(parameter -> !argument.value().isAssignableTo(parameter.type()))
+                    .ifPresent(parameter -> reportType(argument.value(), parameter, findings));
         }
     }
 
     private static void reportMissing(
             TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
-        List<String> missing =
-                ArgumentCount.missing(component.parameters(), suite.node().arguments().size());
+        List<String> missing = ArgumentCount.missing(component.parameters(), suite.arguments());
         if (!missing.isEmpty()) {
             findings.report(
                             suite.node().component(),

@@ -4,6 +4,7 @@ import arcomat.check.law.Carrier;
 import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
 import arcomat.check.walk.Listeners.Listener;
+import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
@@ -63,6 +64,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
             if (initial != last && initial.output().isPresent()) {
                 block(initial.output().get(), symbol.items(), context.in(Side.INITIAL));
             }
+            if (initial != last && symbol.actions().isPresent()) {
+                actions(symbol.actions().get(), context.in(Side.INITIAL));
+            }
             last = initial;
         }
     }
@@ -79,23 +83,42 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
         if (transition.node().output().isPresent()) {
             block(transition.node().output().get(), transition.output(), context.in(Side.OUTPUT));
         }
+        if (transition.actions().isPresent()) {
+            actions(transition.actions().get(), context.in(Side.OUTPUT));
+        }
+    }
+
+    private void actions(ActionSymbol actions, Context context) {
+        for (Listener<Check.OnActions> each : listeners.onActions) {
+            each.check().check(actions, context, each.findings());
+        }
+        for (ActionSymbol.Declare declared : actions.declarations()) {
+            expressions.type(declared.node().type(), context);
+            for (ActionSymbol.Local local : declared.locals()) {
+                expressions.variable(local.variable(), context);
+            }
+        }
+        actions.choices().forEach(choice -> expressions.one(choice.condition(), context));
+        actions.items().forEach(item -> item(item, context));
     }
 
     private void block(Block block, List<ItemSymbol> items, Context context) {
         for (Listener<Check.OnBlock> each : listeners.onBlock) {
             each.check().check(block, items, context, each.findings());
         }
-        for (ItemSymbol item : items) {
-            for (Listener<Check.OnItem> each : listeners.onItem) {
-                each.check().check(item, context, each.findings());
-            }
-            List<Typed> values = item.value().expressions();
-            item.target()
-                    .found()
-                    .ifPresentOrElse(
-                            target -> expressions.values(values, target.type(), context),
-                            () -> expressions.all(values, context));
+        items.forEach(item -> item(item, context));
+    }
+
+    private void item(ItemSymbol item, Context context) {
+        for (Listener<Check.OnItem> each : listeners.onItem) {
+            each.check().check(item, context, each.findings());
         }
+        List<Typed> values = item.value().expressions();
+        item.target()
+                .found()
+                .ifPresentOrElse(
+                        target -> expressions.values(values, target.type(), context),
+                        () -> expressions.all(values, context));
     }
 
     void table(TableSymbol table, Context context) {

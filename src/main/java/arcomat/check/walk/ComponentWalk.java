@@ -57,6 +57,7 @@ record ComponentWalk(
                 .signature()
                 .superComponent()
                 .ifPresent(type -> use(type, node.superComponent().orElseThrow(), context));
+        expressions.arguments(component.signature().superArguments(), context);
         for (QualifiedName refined : node.refines()) {
             expressions.name(refined);
         }
@@ -112,10 +113,7 @@ record ComponentWalk(
             for (Listener<Check.OnOpenPorts> each : listeners.onOpenPorts) {
                 each.check().check(part, ports, context, each.findings());
             }
-            expressions.arguments(
-                    part.arguments(),
-                    part.component().map(ComponentSymbol::parameters).orElse(List.of()),
-                    context);
+            expressions.arguments(part.arguments(), context);
             if (part.node() != last) {
                 use(part, context);
             }

@@ -3,7 +3,7 @@ package arcomat.check.walk;
 import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
 import arcomat.check.walk.Listeners.Listener;
-import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.TypeSymbol;
@@ -62,13 +62,15 @@ final class ExpressionWalk {
         }
     }
 
-    /** Arguments for parameters; there may be too many, and none of the parameters known. */
-    void arguments(List<Typed> arguments, List<ParameterSymbol> parameters, Context context) {
-        int known = Math.min(arguments.size(), parameters.size());
-        for (int i = 0; i < known; i++) {
-            value(arguments.get(i), parameters.get(i).type(), context);
+    /** Arguments, of which some may be for no parameter. */
+    void arguments(List<GivenArgument> arguments, Context context) {
+        for (GivenArgument argument : arguments) {
+            if (argument.parameter().isPresent()) {
+                value(argument.value(), argument.parameter().get().type(), context);
+            } else {
+                one(argument.value(), context);
+            }
         }
-        all(arguments.subList(known, arguments.size()), context);
     }
 
     /** Takes the names of an expression that no law is about. */

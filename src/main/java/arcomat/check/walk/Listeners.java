@@ -50,6 +50,7 @@ public final class Listeners {
     final Audience<Check.OnAutomaton> onAutomaton = audience(Check.OnAutomaton.class);
     final Audience<Check.OnTransition> onTransition = audience(Check.OnTransition.class);
     final Audience<Check.OnBlock> onBlock = audience(Check.OnBlock.class);
+    final Audience<Check.OnActions> onActions = audience(Check.OnActions.class);
     final Audience<Check.OnItem> onItem = audience(Check.OnItem.class);
     final Audience<Check.OnTable> onTable = audience(Check.OnTable.class);
     final Audience<Check.OnCell> onCell = audience(Check.OnCell.class);

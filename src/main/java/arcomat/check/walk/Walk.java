@@ -117,10 +117,7 @@ public final class Walk {
         for (Listener<Check.OnTestSuite> each : listeners.onTestSuite) {
             each.check().check(suite, context, each.findings());
         }
-        expressions.arguments(
-                suite.arguments(),
-                suite.component().found().map(ComponentSymbol::parameters).orElse(List.of()),
-                context);
+        expressions.arguments(suite.arguments(), context);
         for (TestSuite.Member member : suite.node().members()) {
             if (member instanceof TestSuite.Field field) {
                 expressions.type(field.type(), context);

@@ -50,7 +50,7 @@ import java.util.stream.Collectors;
 /** The server as the protocol sees it: what it can do, and how it begins and ends. */
 public final class EditorServer implements LanguageServer {
     /** All kinds of files that it wants to hear of. */
-    private static final String FILES = "**/*.{arc,cd,ioautomaton,mt,world,script,campaign}";
+    private static final String FILES = "**/*.{arc,cd,ioautomaton,maa,mt,world,script,campaign}";
 
     /** Who types without a pause wants no verdicts yet. */
     private static final Duration QUIET = Duration.ofMillis(200);

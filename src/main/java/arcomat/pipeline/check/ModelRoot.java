@@ -28,7 +28,7 @@ import java.util.stream.Stream;
  */
 public final class ModelRoot {
     /** Nobody refers to a suite of tests. */
-    private static final List<String> REFERABLE = List.of(".arc", ".cd", ".ioautomaton");
+    private static final List<String> REFERABLE = List.of(".arc", ".cd", ".ioautomaton", ".maa");
 
     private static final Pattern DOTTED_NAME =
             Pattern.compile(

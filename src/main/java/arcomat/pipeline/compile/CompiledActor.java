@@ -52,7 +52,7 @@ final class CompiledActor {
     static List<CompiledActor> all(
             CompiledModel model,
             Network network,
-            Map<String, CompiledModel.Part> parts,
+            Map<String, CodeParts.Part> parts,
             JavaValues messages) {
         List<CompiledActor> actors = new ArrayList<>();
         for (Network.Instance instance : network.instances()) {

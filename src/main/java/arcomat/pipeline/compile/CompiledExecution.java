@@ -27,7 +27,7 @@ public final class CompiledExecution implements Execution {
         /** The whole. */
         final Object object;
 
-        final Map<String, CompiledModel.Part> parts;
+        final Map<String, CodeParts.Part> parts;
 
         /** Of the step that is under way, or went wrong. */
         Optional<Trace.End> end = Optional.empty();
@@ -51,7 +51,7 @@ public final class CompiledExecution implements Execution {
         }
 
         /** The part that has a port of the network, whose name begins with the part's path. */
-        final CompiledModel.Part part(Network.External external) {
+        final CodeParts.Part part(Network.External external) {
             int dot = external.name().lastIndexOf('.');
             return Objects.requireNonNull(
                     parts.get(external.name().substring(0, Math.max(0, dot))));

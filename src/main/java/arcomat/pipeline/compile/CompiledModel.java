@@ -9,7 +9,6 @@ import arcomat.generate.Target;
 import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.rt.ModelError;
-import arcomat.semantics.network.Composition;
 import arcomat.source.Diagnostic;
 
 import java.lang.reflect.InvocationTargetException;
@@ -86,26 +85,8 @@ public record CompiledModel(
         return Objects.requireNonNull(layout.components().get(part.qualifiedName()));
     }
 
-    /** An instance: its component and its object. */
-    record Part(Component component, Object object) {}
-
     /** The instances of a run by their path, the whole under the empty path. */
-    Map<String, Part> parts(Object whole) {
-        Map<String, Part> parts = new LinkedHashMap<>();
-        collect("", component, whole, parts);
-        return parts;
-    }
-
-    private void collect(String path, Component part, Object object, Map<String, Part> parts) {
-        parts.put(path, new Part(part, object));
-        if (!part.isComposite() || part.platform()) {
-            return;
-        }
-        String prefix = path.isEmpty() ? "" : path + ".";
-        for (Composition.Node node : Composition.of(part).nodes()) {
-            String fields = Objects.requireNonNull(place(part).parts().get(node.path()));
-            Object inner = Slot.follow(object, fields);
-            collect(prefix + node.path(), node.component(), inner, parts);
-        }
+    Map<String, CodeParts.Part> parts(Object whole) {
+        return CodeParts.of(component, whole, layout);
     }
 }

@@ -85,7 +85,7 @@ final class CompiledSlices extends CompiledExecution.Engine {
 
     /** A port of the whole, or of a platform component. */
     private PortSlot slot(Network.External external) {
-        CompiledModel.Part part = part(external);
+        CodeParts.Part part = part(external);
         return new PortSlot(
                 external.name(),
                 external.port(),

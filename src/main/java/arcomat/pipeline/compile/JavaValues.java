@@ -51,17 +51,12 @@ final class JavaValues {
     }
 
     Value fromJava(Object object, Type type) {
-        return type.match(new FromJava(object));
+        return read().of(object, type);
     }
 
-    private Value fromObject(Object object, Type.ClassType type) {
-        List<Value> attributes = new ArrayList<>();
-        for (int i = 0; i < type.attributes().size(); i++) {
-            String field = layout(type).attributes().get(i);
-            attributes.add(
-                    fromJava(new Slot(object, field).get(), type.attributes().get(i).type()));
-        }
-        return new Value.ObjectValue(type, attributes);
+    /** The way back. */
+    ModelValues read() {
+        return new ModelValues(model.layout().classes());
     }
 
     /** What Java holds for a value of a type. */
@@ -80,50 +75,6 @@ final class JavaValues {
         @Override
         public Object objectValue(Value.ObjectValue value) {
             return object(value);
-        }
-    }
-
-    /** The value of each type that Java holds as this object. */
-    private final class FromJava implements Type.Cases<Value> {
-        private final Object object;
-
-        FromJava(Object object) {
-            this.object = object;
-        }
-
-        @Override
-        public Value booleanType(Type.BooleanType type) {
-            return new Value.BooleanValue((Boolean) object);
-        }
-
-        @Override
-        public Value integerType(Type.IntegerType type) {
-            return new Value.IntegerValue(((Number) object).longValue());
-        }
-
-        @Override
-        public Value realType(Type.RealType type) {
-            return new Value.RealValue(((Number) object).doubleValue());
-        }
-
-        @Override
-        public Value characterType(Type.CharacterType type) {
-            return new Value.CharacterValue((Character) object);
-        }
-
-        @Override
-        public Value stringType(Type.StringType type) {
-            return new Value.StringValue((String) object);
-        }
-
-        @Override
-        public Value enumType(Type.EnumType type) {
-            return new Value.EnumValue(type, (Integer) object - 1);
-        }
-
-        @Override
-        public Value classType(Type.ClassType type) {
-            return fromObject(object, type);
         }
     }
 }

@@ -30,8 +30,9 @@ public final class FileFinder {
      */
     public record Found(Path path, String shown) {}
 
-    /** By which files of models are known. */
-    private static final List<String> ENDINGS = List.of(".arc", ".cd", ".ioautomaton", ".mt");
+    /** By which files of models are known; a component of an older tool may end in the last. */
+    private static final List<String> ENDINGS =
+            List.of(".arc", ".cd", ".ioautomaton", ".mt", ".maa");
 
     private static final String LISTING = String.join(", ", ENDINGS);
 

@@ -105,6 +105,7 @@ public final class ForeignBehaviours {
                         component.typeParameters(),
                         component.parameters(),
                         component.superComponent(),
+                        component.superArguments(),
                         component.refines(),
                         component.instance(),
                         elements);

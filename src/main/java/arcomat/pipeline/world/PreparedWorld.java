@@ -152,6 +152,23 @@ public final class PreparedWorld {
         return recorder.recording();
     }
 
+    /** The same, with why transitions of the robots' programs did not fire. That takes longer. */
+    public Recording explain(Seeds seeds, Duration patience, Limits limits) {
+        Map<String, Refusing> refusing = new LinkedHashMap<>();
+        Map<String, WorldPrograms.Equipment> probed = new LinkedHashMap<>(equipment);
+        equipment.forEach(
+                (robot, own) ->
+                        Refusing.of(own.layout())
+                                .ifPresent(
+                                        each -> {
+                                            refusing.put(robot, each);
+                                            probed.put(robot, own.probed(each));
+                                        }));
+        WorldRecorder recorder = new WorldRecorder(ready(), seeds, refusing);
+        WorldRun.run(ready(), seeds, probed, patience, limits, recorder);
+        return recorder.recording();
+    }
+
     /** The same where one seed draws everything. */
     public Recording run(long seed, Duration patience, Limits limits) {
         return run(Seeds.of(seed), patience, limits);

@@ -60,7 +60,12 @@ final class WorldPrograms {
      * @param layout where its program has what its models have; empty for a jar that was given
      */
     record Equipment(
-            @Nullable LoadedProgram program, Optional<CodeLayout> layout, PluggedDevices devices) {}
+            @Nullable LoadedProgram program, Optional<CodeLayout> layout, PluggedDevices devices) {
+        /** The same, with a program that tells when its parts take their steps. */
+        Equipment probed(Refusing refusing) {
+            return new Equipment(refusing.probed(Objects.requireNonNull(program)), layout, devices);
+        }
+    }
 
     /**
      * What came of it.

@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.model.Refusal;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
@@ -37,10 +38,20 @@ final class WorldRecorder implements Witness {
     private final Set<Recording.Blind> blind = new LinkedHashSet<>();
     private final Map<String, Lateness> lateness = new TreeMap<>();
     private final String[] displays;
+    private final Map<String, Refusing> refusing;
+    private final Map<String, Map<String, List<Recording.Reason>>> reasons = new TreeMap<>();
 
     WorldRecorder(World world, Seeds seeds) {
+        this(world, seeds, Map.of());
+    }
+
+    /**
+     * @param refusing who knows why robots do nothing, by their names
+     */
+    WorldRecorder(World world, Seeds seeds, Map<String, Refusing> refusing) {
         this.world = world;
         this.seeds = seeds;
+        this.refusing = refusing;
         displays = new String[world.robots().size()];
         Arrays.fill(displays, "");
     }
@@ -72,6 +83,15 @@ final class WorldRecorder implements Witness {
             }
 
             @Override
+            public void entered(long time, Object object, String method) {
+                Refusing own = refusing.get(robot.name());
+                if (own != null) {
+                    int now = (int) (time / VirtualTime.MILLISECOND);
+                    own.entered(object, method).ifPresent(said -> note(now, robot.name(), said));
+                }
+            }
+
+            @Override
             public void packetSent(long time, byte[] packet, int length) {
                 String bytes = HexFormat.of().formatHex(packet, 0, length);
                 events.add(
@@ -81,13 +101,35 @@ final class WorldRecorder implements Witness {
         };
     }
 
+    /** Only what is another reason than before. */
+    private void note(int time, String robot, Refusing.Said said) {
+        List<Recording.Reason> own =
+                reasons.computeIfAbsent(robot, any -> new TreeMap<>())
+                        .computeIfAbsent(said.part(), any -> new ArrayList<>());
+        String words = said.nearest().map(Refusal::words).orElse("");
+        String last = own.isEmpty() ? "" : own.get(own.size() - 1).words();
+        if (!words.equals(last)) {
+            own.add(new Recording.Reason(time, words));
+        }
+    }
+
+    private List<Recording.Idle> idle() {
+        List<Recording.Idle> idle = new ArrayList<>();
+        reasons.forEach(
+                (robot, parts) ->
+                        parts.forEach(
+                                (part, own) -> idle.add(new Recording.Idle(robot, part, own))));
+        return idle;
+    }
+
     @Override
     public void failed(String robot, String reason) {
         failures.put(robot, reason);
     }
 
     Recording recording() {
-        return new Recording(world, seeds, frames, events, failures, List.copyOf(blind), late());
+        return new Recording(
+                world, seeds, frames, events, failures, List.copyOf(blind), late(), idle());
     }
 
     private List<Recording.Late> late() {

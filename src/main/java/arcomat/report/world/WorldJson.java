@@ -15,8 +15,11 @@ import arcomat.world.Segment;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -43,7 +46,33 @@ public final class WorldJson {
                         .with("world", world(recording.world()))
                         .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
                         .with("events", recording.events().stream().map(WorldJson::of).toList())
-                        .with("failures", failures));
+                        .with("failures", failures)
+                        .with("idle", idle(recording.idle())));
+    }
+
+    /**
+     * {@code {"texts": [...], "parts": [{"robot", "part", "reasons": [t, text, t, text]}]}}: the
+     * same reasons come again and again, and are told by their numbers.
+     */
+    private static Optional<Fields> idle(List<Recording.Idle> idle) {
+        Map<String, Integer> texts = new LinkedHashMap<>();
+        List<Fields> parts = new ArrayList<>();
+        for (Recording.Idle each : idle) {
+            List<Integer> reasons = new ArrayList<>();
+            for (Recording.Reason reason : each.reasons()) {
+                reasons.add(reason.time());
+                reasons.add(texts.computeIfAbsent(reason.words(), any -> texts.size()));
+            }
+            if (!reasons.isEmpty()) {
+                parts.add(
+                        Fields.of("robot", each.robot())
+                                .with("part", each.part())
+                                .with("reasons", reasons));
+            }
+        }
+        return parts.isEmpty()
+                ? Optional.empty()
+                : Optional.of(Fields.of("texts", List.copyOf(texts.keySet())).with("parts", parts));
     }
 
     /** Other seeds from some moments on; absent where there are none. */

@@ -15,6 +15,7 @@ import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Element;
 import arcomat.tree.Name;
+import arcomat.tree.Statement;
 import arcomat.tree.Stereotype;
 import arcomat.tree.Unit;
 import arcomat.tree.Variable;
@@ -45,12 +46,15 @@ public final class AutomatonSymbol {
      *
      * @param node the whole clause
      * @param state empty where no such state is declared
+     * @param items those of statements, too
+     * @param actions where it has statements
      */
     public record InitialSymbol(
             AutomatonElement.Initial node,
             Name name,
             Optional<StateSymbol> state,
-            List<ItemSymbol> items) {
+            List<ItemSymbol> items,
+            Optional<ActionSymbol> actions) {
         public InitialSymbol {
             items = List.copyOf(items);
         }
@@ -231,12 +235,19 @@ public final class AutomatonSymbol {
 
     private List<StateSymbol> makeStates() {
         List<StateSymbol> all = new ArrayList<>();
-        for (AutomatonElement.States list : node.elements(AutomatonElement.States.class)) {
-            for (AutomatonElement.State state : list.states()) {
+        for (AutomatonElement each : node.elements()) {
+            for (AutomatonElement.State state : declaredBy(each)) {
                 all.add(new StateSymbol(state, all.size()));
             }
         }
         return List.copyOf(all);
+    }
+
+    private static List<AutomatonElement.State> declaredBy(AutomatonElement element) {
+        if (element instanceof AutomatonElement.States list) {
+            return list.states();
+        }
+        return element instanceof AutomatonElement.Initial initial ? initial.declared() : List.of();
     }
 
     private Map<String, StateSymbol> firstByName() {
@@ -248,9 +259,12 @@ public final class AutomatonSymbol {
     private List<InitialSymbol> makeInitials() {
         List<InitialSymbol> all = new ArrayList<>();
         for (AutomatonElement.Initial initial : node.elements(AutomatonElement.Initial.class)) {
-            List<ItemSymbol> items = itemScope().items(initial.output(), Side.INITIAL);
+            Optional<ActionSymbol> actions = actions(initial.actions(), Side.INITIAL);
+            List<ItemSymbol> items =
+                    actions.map(ActionSymbol::items)
+                            .orElseGet(() -> itemScope().items(initial.output(), Side.INITIAL));
             for (Name state : initial.states()) {
-                all.add(new InitialSymbol(initial, state, state(state.text()), items));
+                all.add(new InitialSymbol(initial, state, state(state.text()), items, actions));
             }
         }
         return List.copyOf(all);
@@ -260,6 +274,10 @@ public final class AutomatonSymbol {
         return node.elements(AutomatonElement.Transition.class).stream()
                 .map(t -> new TransitionSymbol(this, t))
                 .toList();
+    }
+
+    Optional<ActionSymbol> actions(Optional<Statement.Sequence> statements, Side side) {
+        return statements.map(each -> new ActionTyping(itemScope(), side).sequence(each));
     }
 
     ItemScope itemScope() {

@@ -19,7 +19,9 @@ import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -161,8 +163,15 @@ public final class ComponentSymbol {
     }
 
     private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
+        Map<String, Integer> numbers = new HashMap<>();
         return component.node().elements(Element.Invariant.class).stream()
-                .map(each -> new InvariantSymbol(each, component, this))
+                .map(
+                        each ->
+                                new InvariantSymbol(
+                                        each,
+                                        component,
+                                        this,
+                                        numbers.merge(each.name().text(), 1, Integer::sum)))
                 .toList();
     }
 

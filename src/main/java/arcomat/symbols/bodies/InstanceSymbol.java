@@ -2,21 +2,17 @@ package arcomat.symbols.bodies;
 
 import arcomat.source.Span;
 import arcomat.symbols.expressions.ExpressionTyping;
-import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.PortSymbol;
-import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.TypeSubstitution;
-import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.TypeVariable;
-import arcomat.symbols.names.UnknownType;
 import arcomat.symbols.signatures.ComponentReference;
+import arcomat.tree.Argument;
 import arcomat.tree.Element;
-import arcomat.tree.Expression;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -39,9 +35,9 @@ public final class InstanceSymbol {
     private final Origin origin;
     private final Node node;
     private final ComponentReference type;
-    private final List<Expression> arguments;
+    private final List<Argument> arguments;
     private final List<Element.SimpleConnector> simpleConnectors;
-    private final Lazy<List<Typed>> typedArguments = new Lazy<>(this::typeArguments);
+    private final Lazy<List<GivenArgument>> typedArguments = new Lazy<>(this::typeArguments);
 
     InstanceSymbol(
             ComponentSymbol owner,
@@ -49,7 +45,7 @@ public final class InstanceSymbol {
             Origin origin,
             Node node,
             ComponentReference type,
-            List<Expression> arguments,
+            List<Argument> arguments,
             List<Element.SimpleConnector> simpleConnectors) {
         this.owner = owner;
         this.name = name;
@@ -96,22 +92,16 @@ public final class InstanceSymbol {
     }
 
     /** The arguments as written, typed against the parameters they meet. */
-    public List<Typed> arguments() {
+    public List<GivenArgument> arguments() {
         return typedArguments.get();
     }
 
-    private List<Typed> typeArguments() {
-        List<ParameterSymbol> parameters =
-                component().map(ComponentSymbol::parameters).orElse(List.of());
-        List<Typed> typed = new ArrayList<>();
-        for (int i = 0; i < arguments.size(); i++) {
-            TypeSymbol expected =
-                    i < parameters.size()
-                            ? type.substitution().apply(parameters.get(i).type())
-                            : UnknownType.UNKNOWN;
-            typed.add(ExpressionTyping.type(arguments.get(i), owner.constantScope(), expected));
-        }
-        return List.copyOf(typed);
+    private List<GivenArgument> typeArguments() {
+        return GivenArgument.of(
+                arguments,
+                component().map(ComponentSymbol::parameters).orElse(List.of()),
+                type.substitution()::apply,
+                ExpressionTyping.at(owner.constantScope()));
     }
 
     /** Its ports as seen from outside: type arguments are in place. */

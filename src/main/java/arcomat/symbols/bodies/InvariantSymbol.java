@@ -29,16 +29,23 @@ public final class InvariantSymbol {
     private final Element.Invariant node;
     private final ComponentSymbol declaring;
     private final ComponentSymbol component;
+    private final int number;
     private final Lazy<Optional<Typed>> typed = new Lazy<>(this::makeTyped);
 
     /**
      * @param declaring where it is written
      * @param component that it is about: the same, or an heir of it
+     * @param number among those of its name in the declaring component, from 1
      */
-    InvariantSymbol(Element.Invariant node, ComponentSymbol declaring, ComponentSymbol component) {
+    InvariantSymbol(
+            Element.Invariant node,
+            ComponentSymbol declaring,
+            ComponentSymbol component,
+            int number) {
         this.node = node;
         this.declaring = declaring;
         this.component = component;
+        this.number = number;
     }
 
     public Element.Invariant node() {
@@ -47,6 +54,11 @@ public final class InvariantSymbol {
 
     public String name() {
         return node.name().text();
+    }
+
+    /** What tells it from others: its name, with a number from the second of that name on. */
+    public String title() {
+        return number == 1 ? name() : name() + "#" + number;
     }
 
     public Span nameSpan() {

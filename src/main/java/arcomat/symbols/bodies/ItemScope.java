@@ -31,6 +31,11 @@ final class ItemScope {
         return values;
     }
 
+    /** With one more name; no item without a name is about it. */
+    ItemScope with(VariableSymbol local) {
+        return new ItemScope(ports, variables, values.with(List.of(local)));
+    }
+
     /** Calls and increments are not among them. */
     List<ItemSymbol> items(Optional<Block> block, Side side) {
         List<ItemSymbol> items = new ArrayList<>();
@@ -42,7 +47,7 @@ final class ItemScope {
         return List.copyOf(items);
     }
 
-    private ItemSymbol item(Block.Message node, Side side) {
+    ItemSymbol item(Block.Message node, Side side) {
         if (node.name().isPresent()) {
             Optional<ValueSymbol> target = values.value(node.name().get().text());
             TypeSymbol expected = target.map(ValueSymbol::type).orElse(UnknownType.UNKNOWN);

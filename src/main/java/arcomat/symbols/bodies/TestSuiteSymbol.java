@@ -1,19 +1,15 @@
 package arcomat.symbols.bodies;
 
 import arcomat.symbols.expressions.ExpressionTyping;
-import arcomat.symbols.expressions.ParameterSymbol;
-import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.names.ComponentDeclaration;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
-import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
-import arcomat.symbols.names.UnknownType;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 
@@ -54,16 +50,12 @@ public final class TestSuiteSymbol {
     }
 
     /** The arguments for the component, typed against its parameters. */
-    public List<Typed> arguments() {
-        List<ParameterSymbol> parameters =
-                component().found().map(ComponentSymbol::parameters).orElse(List.of());
-        List<Typed> typed = new ArrayList<>();
-        for (int i = 0; i < node.arguments().size(); i++) {
-            TypeSymbol expected =
-                    i < parameters.size() ? parameters.get(i).type() : UnknownType.UNKNOWN;
-            typed.add(ExpressionTyping.message(node.arguments().get(i), emptyScope(), expected));
-        }
-        return typed;
+    public List<GivenArgument> arguments() {
+        return GivenArgument.of(
+                node.arguments(),
+                component().found().map(ComponentSymbol::parameters).orElse(List.of()),
+                type -> type,
+                (value, expected) -> ExpressionTyping.message(value, emptyScope(), expected));
     }
 
     public List<StreamTestSymbol> tests() {

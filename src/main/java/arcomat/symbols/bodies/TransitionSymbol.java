@@ -18,6 +18,7 @@ public final class TransitionSymbol {
     private final Lazy<Optional<Typed>> guard = new Lazy<>(this::typeGuard);
     private final Lazy<List<ItemSymbol>> input = new Lazy<>(() -> items(Side.INPUT));
     private final Lazy<List<ItemSymbol>> output = new Lazy<>(() -> items(Side.OUTPUT));
+    private final Lazy<Optional<ActionSymbol>> actions = new Lazy<>(this::typeActions);
 
     TransitionSymbol(AutomatonSymbol automaton, AutomatonElement.Transition node) {
         this.automaton = automaton;
@@ -47,9 +48,18 @@ public final class TransitionSymbol {
         return input.get();
     }
 
-    /** The messages and assignments of the output block. */
+    /** The messages and assignments of the output block, or all those of its statements. */
     public List<ItemSymbol> output() {
         return output.get();
+    }
+
+    /** What happens one after the other, where the transition has statements. */
+    public Optional<ActionSymbol> actions() {
+        return actions.get();
+    }
+
+    private Optional<ActionSymbol> typeActions() {
+        return automaton.actions(node.actions(), Side.OUTPUT);
     }
 
     private Optional<Typed> typeGuard() {
@@ -61,6 +71,9 @@ public final class TransitionSymbol {
     }
 
     private List<ItemSymbol> items(Side side) {
+        if (side == Side.OUTPUT && actions().isPresent()) {
+            return actions().get().items();
+        }
         return automaton.itemScope().items(side == Side.INPUT ? node.input() : node.output(), side);
     }
 }

@@ -29,7 +29,8 @@ final class LiteralTyping {
                     problems.erroneous(
                             Kind.UNSUPPORTED_EXPRESSION,
                             literal,
-                            "there is no null in models; write -- for no message");
+                            "null is no value to calculate with; a port is compared with it by =="
+                                + " or !=");
         };
     }
 

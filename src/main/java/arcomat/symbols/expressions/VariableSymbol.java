@@ -7,14 +7,16 @@ import arcomat.tree.Variable;
 
 import java.util.function.BiFunction;
 
-/** A variable of an automaton, or a variable of a component beside its automata. */
+/** A variable of an automaton, of a component beside its automata, or of some statements. */
 public final class VariableSymbol extends DeclaredValue {
     /** Where a variable is declared. */
     public enum Kind {
         /** Read and written by its automaton. */
         AUTOMATON,
         /** Read and written by the automaton that writes it; a constant where none does. */
-        COMPONENT
+        COMPONENT,
+        /** A name for a value among the statements of one step. */
+        LOCAL
     }
 
     private final Kind kind;

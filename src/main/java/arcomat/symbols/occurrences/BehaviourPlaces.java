@@ -1,5 +1,6 @@
 package arcomat.symbols.occurrences;
 
+import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
@@ -10,6 +11,7 @@ import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.ValueSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.occurrences.Occurrence.Role;
@@ -48,9 +50,12 @@ record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
     private void initials(AutomatonSymbol automaton) {
         AutomatonElement.Initial last = null;
         for (InitialSymbol initial : automaton.initials()) {
-            state(initial.name(), initial.state(), automaton);
+            if (initial.node().declared().isEmpty()) {
+                state(initial.name(), initial.state(), automaton);
+            }
             if (initial.node() != last) {
                 initial.items().forEach(this::item);
+                initial.actions().ifPresent(this::actions);
             }
             last = initial.node();
         }
@@ -62,6 +67,20 @@ record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
         transition.guard().ifPresent(expressions::in);
         transition.input().forEach(this::item);
         transition.output().forEach(this::item);
+        transition.actions().ifPresent(this::actions);
+    }
+
+    /** What is assigned is taken down with the items. */
+    private void actions(ActionSymbol actions) {
+        actions.choices().forEach(choice -> expressions.in(choice.condition()));
+        for (ActionSymbol.Declare declared : actions.declarations()) {
+            places.type(declared.node().type(), expressions.types());
+            for (ActionSymbol.Local local : declared.locals()) {
+                VariableSymbol variable = local.variable();
+                places.declared(variable.nameSpan(), new Referent.Variable(variable));
+                variable.initial().ifPresent(expressions::in);
+            }
+        }
     }
 
     private void state(Name name, Optional<StateSymbol> state, AutomatonSymbol automaton) {
@@ -84,7 +103,11 @@ record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
                                                                 name.span(),
                                                                 referent(value),
                                                                 role)));
-        expressions.in(item.value().expressions());
+        Optional<Name> name = item.node().name();
+        for (Typed each : item.value().expressions()) {
+            // In "n += 2" the name stands once, and is read and written.
+            expressions.in(each, part -> name.isEmpty() || !part.span().equals(name.get().span()));
+        }
     }
 
     private static Referent referent(ValueSymbol value) {

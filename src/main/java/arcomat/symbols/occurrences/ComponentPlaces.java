@@ -80,6 +80,7 @@ final class ComponentPlaces implements Element.Visitor {
                                             .flatMap(ComponentReference::component);
                             component(type.name(), above);
                             places.arguments(type.arguments(), component::resolveType);
+                            expressions.arguments(signature.superArguments());
                         });
         for (Signature.Refinement refinement : signature.refines()) {
             component(refinement.node(), refinement.resolution().found());
@@ -118,7 +119,7 @@ final class ComponentPlaces implements Element.Visitor {
                 places.declared(part.nameSpan(), new Referent.Part(part));
             }
             if (part.node() != last) {
-                expressions.in(part.arguments());
+                expressions.arguments(part.arguments());
                 part(part);
             }
             last = part.node();

@@ -2,6 +2,8 @@ package arcomat.symbols.occurrences;
 
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.GivenArgument;
+import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
@@ -17,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * Names in expressions.
@@ -39,8 +42,31 @@ record ExpressionPlaces(
         typed.expression().walk(each -> each.match(this));
     }
 
+    /** Only at some places. */
+    void in(Typed typed, Predicate<Expression> wanted) {
+        typed.expression()
+                .walk(
+                        each -> {
+                            if (wanted.test(each.node())) {
+                                each.match(this);
+                            }
+                        });
+    }
+
     void in(List<Typed> typed) {
         typed.forEach(this::in);
+    }
+
+    void arguments(List<GivenArgument> given) {
+        for (GivenArgument each : given) {
+            in(each.value());
+            each.node().name().ifPresent(name -> parameter(name, each.parameter()));
+        }
+    }
+
+    private void parameter(Name name, Optional<ParameterSymbol> meant) {
+        meant.ifPresent(
+                found -> places.add(name.span(), new Referent.Parameter(found), Role.REFERS));
     }
 
     private static List<Name> names(Expression node) {

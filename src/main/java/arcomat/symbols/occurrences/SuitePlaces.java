@@ -23,7 +23,7 @@ record SuitePlaces(NamePlaces places, ExpressionPlaces expressions) {
                                 places.path(
                                         suite.node().component().parts(),
                                         new Referent.Component(component.signature())));
-        expressions.in(suite.arguments());
+        expressions.arguments(suite.arguments());
         for (StreamTestSymbol test : suite.tests()) {
             places.declared(test.node().name().span(), new Referent.Test(test));
             test.streams().forEach(stream -> stream(suite, stream));

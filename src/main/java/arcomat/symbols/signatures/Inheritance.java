@@ -100,10 +100,16 @@ final class Inheritance {
                 .toList();
     }
 
-    /** What the heir declares again stands among its own. */
+    /**
+     * What the heir declares again stands among its own. Who writes arguments for the component it
+     * extends settles all parameters of that, by defaults if not by arguments.
+     */
     private List<ParameterSymbol> collectParameters() {
         Map<String, ParameterSymbol> inherited = new LinkedHashMap<>();
         for (Ancestor ancestor : topFirst()) {
+            if (ancestor.component().node().superArguments().isPresent()) {
+                inherited.clear();
+            }
             List<ParameterSymbol> own = ancestor.component().ownParameters();
             if (ancestor.component() == heir) {
                 own.forEach(parameter -> inherited.remove(parameter.name()));

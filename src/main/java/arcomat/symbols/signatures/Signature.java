@@ -1,6 +1,8 @@
 package arcomat.symbols.signatures;
 
 import arcomat.source.Span;
+import arcomat.symbols.expressions.ExpressionTyping;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
@@ -47,6 +49,7 @@ public final class Signature {
     private final Lazy<List<VariableSymbol>> ownVariables = new Lazy<>(members::variables);
     private final Lazy<ValueScope> parameterScope =
             new Lazy<>(() -> emptyScope().with(parameters()));
+    private final Lazy<List<GivenArgument>> superArguments = new Lazy<>(this::typeSuperArguments);
     private final Lazy<ValueScope> constantScope =
             new Lazy<>(() -> parameterScope().with(variables()));
 
@@ -162,6 +165,27 @@ public final class Signature {
         return superComponent.get();
     }
 
+    /** What it gives to the parameters of the component it extends; empty if it gives nothing. */
+    public List<GivenArgument> superArguments() {
+        return superArguments.get();
+    }
+
+    private List<GivenArgument> typeSuperArguments() {
+        if (node().superArguments().isEmpty()) {
+            return List.of();
+        }
+        Optional<ComponentReference> above = superComponent();
+        TypeSubstitution types =
+                above.map(ComponentReference::substitution).orElse(TypeSubstitution.NONE);
+        return GivenArgument.of(
+                node().superArguments().get(),
+                above.flatMap(ComponentReference::component)
+                        .map(Signature::parameters)
+                        .orElse(List.of()),
+                types::apply,
+                ExpressionTyping.at(parameterScope()));
+    }
+
     /** This component and those above it, nearest first; ends before one would come again. */
     public List<Signature> lineage() {
         return inheritance.get().nearestFirst().stream()
@@ -211,7 +235,7 @@ public final class Signature {
 
     /**
      * All parameters in the order of arguments: inherited ones first, unless declared again under
-     * the same name.
+     * the same name, or given an argument on the way.
      */
     public List<ParameterSymbol> parameters() {
         return inheritance.get().parameters();

@@ -3,20 +3,26 @@ package arcomat.syntax.build;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
+import arcomat.tree.Block;
+import arcomat.tree.Statement;
 import arcomat.tree.Variable;
 
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Automata and their elements. */
 final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
     private final BlockBuilder blocks;
+    private final StatementBuilder statements;
 
     AutomatonBuilder(Phrases phrases, BlockBuilder blocks) {
         super(phrases);
         this.blocks = blocks;
+        this.statements = new StatementBuilder(phrases, blocks.values);
     }
 
     Automaton automaton(ArcomatParser.AutomatonContext context) {
@@ -82,7 +88,40 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return new AutomatonElement.Initial(
                 span(context),
                 phrases.names(context.name()),
-                optional(context.block(), blocks::block));
+                List.of(),
+                output(context.effect()),
+                actions(context.effect()));
+    }
+
+    @Override
+    public AutomatonElement visitInitialBehind(ArcomatParser.InitialBehindContext context) {
+        return new AutomatonElement.Initial(
+                span(context),
+                phrases.names(context.name()),
+                List.of(),
+                output(context.effect()),
+                actions(context.effect()));
+    }
+
+    @Override
+    public AutomatonElement visitInitialStates(ArcomatParser.InitialStatesContext context) {
+        List<AutomatonElement.State> declared = each(context.state(), this::state);
+        return new AutomatonElement.Initial(
+                span(context),
+                declared.stream().map(AutomatonElement.State::name).toList(),
+                declared,
+                output(context.effect()),
+                actions(context.effect()));
+    }
+
+    private Optional<Block> output(ArcomatParser.@Nullable EffectContext context) {
+        return context == null ? Optional.empty() : optional(context.block(), blocks::block);
+    }
+
+    private Optional<Statement.Sequence> actions(ArcomatParser.@Nullable EffectContext context) {
+        return context == null
+                ? Optional.empty()
+                : optional(context.statements(), statements::sequence);
     }
 
     @Override
@@ -93,7 +132,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 phrases.optionalName(context.target),
                 optional(context.guard(), this::guard),
                 optional(context.input, blocks::block),
-                optional(context.output, blocks::block),
+                output(context.effect()),
+                actions(context.effect()),
                 0);
     }
 

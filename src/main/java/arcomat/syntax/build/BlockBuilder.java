@@ -2,6 +2,7 @@ package arcomat.syntax.build;
 
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Block;
+import arcomat.tree.Expression;
 
 /** Blocks and their items. */
 final class BlockBuilder extends TreeBuilder<Block.Item> {
@@ -47,7 +48,10 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
         public Block.Value visitValue(ArcomatParser.ValueContext context) {
             ArcomatParser.ExpressionContext expression = context.expression();
             if (expression != null) {
-                return new Block.Single(span(context), phrases.expressions.build(expression));
+                Expression value = phrases.expressions.build(expression);
+                return ExpressionBuilder.isNull(value)
+                        ? new Block.NoMessage(span(context))
+                        : new Block.Single(span(context), value);
             }
             return context.nothing == null && context.anything == null
                     ? buildSole(context)

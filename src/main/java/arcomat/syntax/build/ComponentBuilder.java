@@ -52,6 +52,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                         : each(typeParameters.typeParameter(), this::typeParameter),
                 parameters == null ? List.of() : each(parameters.parameter(), this::parameter),
                 optional(context.superType, phrases::type),
+                optional(context.superArguments, phrases.expressions::given),
                 phrases.qualifiedNames(context.refined),
                 optional(context.namedInstance(), this::namedInstance),
                 buildAll(context.element()));
@@ -127,7 +128,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
                 phrases.type(context.type()),
-                phrases.expressions.arguments(context.arguments()),
+                phrases.expressions.given(context.componentArguments()),
                 each(context.instance(), this::instance));
     }
 

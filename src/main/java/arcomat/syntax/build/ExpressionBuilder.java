@@ -3,6 +3,7 @@ package arcomat.syntax.build;
 import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Argument;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Absence;
 import arcomat.tree.Expression.Binary;
@@ -23,6 +24,7 @@ import arcomat.tree.TypeReference;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -68,6 +70,15 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     List<Expression> arguments(ArcomatParser.ArgumentsContext context) {
         return context == null ? List.of() : buildAll(context.expression());
+    }
+
+    List<Argument> given(ArcomatParser.@Nullable ComponentArgumentsContext context) {
+        return context == null ? List.of() : each(context.componentArgument(), this::given);
+    }
+
+    private Argument given(ArcomatParser.ComponentArgumentContext context) {
+        return new Argument(
+                span(context), phrases.optionalName(context.name()), build(context.expression()));
     }
 
     @Override
@@ -194,7 +205,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
         BinaryOperator operator = BINARY[context.operator.getType()];
         if (!Rows.goesOn(context)) {
             Expression left = build(context.left);
-            return new Binary(span(context), operator, left, build(context.right));
+            return binary(span(context), operator, left, build(context.right));
         }
         List<ArcomatParser.ExpressionContext> row = Rows.operands(context);
         return row(operator, row, row.size() > LONG_ROW);
@@ -215,8 +226,22 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
         int middle = shallow ? (row.size() + 1) / 2 : last;
         Expression left = row(operator, row.subList(0, middle), shallow);
         Expression right = row(operator, row.subList(middle, row.size()), shallow);
-        return new Binary(
-                span(row.get(0).getStart(), row.get(last).getStop()), operator, left, right);
+        return binary(span(row.get(0).getStart(), row.get(last).getStop()), operator, left, right);
+    }
+
+    /** {@code p == null} is how Java says that there is no message. */
+    private static Expression binary(
+            Span span, BinaryOperator operator, Expression left, Expression right) {
+        boolean compares = operator == BinaryOperator.EQUAL || operator == BinaryOperator.NOT_EQUAL;
+        if (compares && (isNull(left) || isNull(right))) {
+            Expression port = isNull(right) ? left : right;
+            return new Absence(span, port, operator == BinaryOperator.NOT_EQUAL);
+        }
+        return new Binary(span, operator, left, right);
+    }
+
+    static boolean isNull(Expression expression) {
+        return expression instanceof Literal literal && literal.kind() == Literal.Kind.NULL;
     }
 
     @Override

@@ -26,7 +26,7 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
                 span(context),
                 phrases.name(context.name()),
                 phrases.qualifiedName(context.qualifiedName()),
-                phrases.expressions.arguments(context.arguments()),
+                phrases.expressions.given(context.componentArguments()),
                 buildAll(context.suiteMember()));
     }
 

@@ -55,6 +55,7 @@ final class Spacing {
                             && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "(" ->
                     parent instanceof ArcomatParser.ArgumentsContext
+                            || parent instanceof ArcomatParser.ComponentArgumentsContext
                             || parent instanceof ArcomatParser.MethodParametersContext
                             || parent instanceof ArcomatParser.ParametersContext
                             || parent instanceof ArcomatParser.RepeatedGroupContext;
@@ -66,7 +67,9 @@ final class Spacing {
             case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);
             case ">" -> isBracket(parent);
-            case "++", "--" -> parent instanceof ArcomatParser.ItemContext;
+            case "++", "--" ->
+                    parent instanceof ArcomatParser.ItemContext
+                            || parent instanceof ArcomatParser.StepStatementContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };

@@ -42,6 +42,7 @@ final class Structure {
             Set.of(
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_statements,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_classDiagram,
@@ -119,7 +120,7 @@ final class Structure {
     }
 
     private void visitOne(ParserRuleContext context, int level) {
-        if (STARTING_LINES.contains(context.getRuleIndex())) {
+        if (STARTING_LINES.contains(context.getRuleIndex()) || isStatementOfItsOwn(context)) {
             markLine(context.start, level);
         } else if (context instanceof ArcomatParser.EnumConstantContext && isFirstOfBody(context)) {
             markLine(context.start, level);
@@ -151,6 +152,12 @@ final class Structure {
                 }
             }
         }
+    }
+
+    /** A branch of a choice begins behind its condition. */
+    private static boolean isStatementOfItsOwn(ParserRuleContext context) {
+        return context.getRuleIndex() == ArcomatParser.RULE_statement
+                && context.getParent() instanceof ArcomatParser.StatementsContext;
     }
 
     /** The brace of an empty body stays on the line, unless a comment lies in between. */

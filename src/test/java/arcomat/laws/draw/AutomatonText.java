@@ -110,12 +110,12 @@ final class AutomatonText {
         List<String> effects = new ArrayList<>();
         for (Plug output : outputs) {
             if (output.total() || draw.chance(60)) {
-                effects.add(output.name() + " = " + sent(output, present));
+                effects.add(sends(output, present));
             }
         }
         for (Local local : locals) {
             if (draw.chance(40)) {
-                effects.add(local.name + " = " + value(local.type, present));
+                effects.add(keeps(local, present));
             }
         }
         lines.add(
@@ -126,7 +126,45 @@ final class AutomatonText {
                                 target,
                                 guard.isEmpty() ? "" : " [" + guard + "]",
                                 block(" ", items),
-                                block(" / ", effects)));
+                                draw.chance(Features.STATEMENTS, 20)
+                                        ? " / do { " + statements(effects, present) + " }"
+                                        : block(" / ", effects)));
+    }
+
+    private String sends(Plug output, List<Plug> present) {
+        return output.name() + " = " + sent(output, present);
+    }
+
+    private String keeps(Local local, List<Plug> present) {
+        return local.name + " = " + value(local.type, present);
+    }
+
+    /** The effects, and then choices of others: whatever is sent in every slice is sent. */
+    private String statements(List<String> effects, List<Plug> present) {
+        StringBuilder text = new StringBuilder();
+        effects.forEach(each -> text.append(each).append("; "));
+        for (int count = draw.below(3); count > 0; count--) {
+            text.append("if (").append(guard(present)).append(") { ");
+            text.append(statement(present)).append(" }");
+            text.append(draw.chance(50) ? " else { " + statement(present) + " } " : " ");
+        }
+        return text.append(draw.chance(40) ? statement(present) : "").toString().strip();
+    }
+
+    private String statement(List<Plug> present) {
+        if (!locals.isEmpty() && draw.chance(60)) {
+            return keeps(locals.get(0), present) + ";";
+        }
+        if (outputs.isEmpty()) {
+            return "{ }";
+        }
+        Plug output = draw.one(outputs);
+        if (draw.chance(70)) {
+            return sends(output, present) + ";";
+        }
+        String type = output.type().startsWith("Integer") ? "Integer" : output.type();
+        return "{ var %s k = %s; %s = k; }"
+                .formatted(type, value(output.type(), present), output.name());
     }
 
     private String event(List<Plug> present) {

@@ -24,7 +24,9 @@ public enum Features {
     /** Variables of the component that its automaton writes. */
     FIELDS,
     /** Transitions that come before others. */
-    RANKS;
+    RANKS,
+    /** What is done one after the other, with choices. */
+    STATEMENTS;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

@@ -226,7 +226,7 @@ class RobotTruthTest {
     private static List<Map<String, Value>> onJvm(CompiledModel model, List<Letter> letters) {
         List<Map<String, Value>> slices = new ArrayList<>();
         Object whole = model.instantiate(model.place(model.component()).className(), List.of());
-        Map<String, CompiledModel.Part> parts = model.parts(whole);
+        Map<String, CodeParts.Part> parts = model.parts(whole);
         for (Letter letter : letters) {
             parts.forEach(
                     (path, part) -> {
@@ -256,8 +256,7 @@ class RobotTruthTest {
         return ports;
     }
 
-    private static PortSlot slot(
-            CompiledModel model, String path, CompiledModel.Part part, Port port) {
+    private static PortSlot slot(CompiledModel model, String path, CodeParts.Part part, Port port) {
         return new PortSlot(
                 path.isEmpty() ? port.name() : path + "." + port.name(),
                 port,

@@ -8,7 +8,10 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.page.BrowserTest;
+import arcomat.sim.Laboratory;
+import arcomat.sim.device.Limits;
 import arcomat.world.Recording;
+import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;
@@ -29,11 +32,14 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void play() throws WrongUse {
         Session session = Session.in(Path.of(""), Progress.NONE);
-        Recording recording = session.run(new PrepareWorld(WORLD, false)).run(1);
+        Recording recording =
+                session.run(new PrepareWorld(WORLD, false))
+                        .explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK);
         session.run(new WriteReplay(recording, "the meeting", folder.toString()));
         String page = folder.resolve("index.html").toUri().toString();
         browser.open(page, ".floor .robot");
         stepsAndJumps();
+        tellsWhyNot();
         plays();
         follows();
         browser.open(page + "?again#7", ".floor .robot");
@@ -60,6 +66,14 @@ class WorldPageBrowserTest extends BrowserTest {
         assertThat(displays()).containsExactly("backing", "waiting");
         assertThat(browser.findAll(".floor .ray")).hasSize(2);
         browser.picture("world");
+    }
+
+    /** Most parts of a program wait for something, most of the time. */
+    private void tellsWhyNot() {
+        browser.findAll(".card .idle summary").get(0).click();
+        assertThat(browser.text(".card .idle"))
+                .containsPattern("avoidCrash: \\w+ -> \\w+ \\(line \\d+\\) did not fire: ");
+        browser.picture("world-why-not");
     }
 
     private List<String> displays() {

@@ -6,6 +6,8 @@ import arcomat.source.SourceFile;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
+import arcomat.world.Recording.Idle;
+import arcomat.world.Recording.Reason;
 import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Seeds;
 import arcomat.world.World;
@@ -45,7 +47,12 @@ class WorldPageTest {
                 List.of(new Event.Showed(0, "one", NASTY)),
                 Map.of("one", NASTY),
                 List.of(),
-                List.of());
+                List.of(),
+                List.of(
+                        new Idle(
+                                "one",
+                                "pilot",
+                                List.of(new Reason(0, NASTY), new Reason(100, "")))));
     }
 
     @Test
@@ -59,6 +66,9 @@ class WorldPageTest {
         assertThat(json.at("/frames/0/robots/0/7").asText()).isEqualTo(NASTY);
         assertThat(json.at("/failures/one").asText()).isEqualTo(NASTY);
         assertThat(json.at("/world/robots/0/program").asText()).isEqualTo("</script>.jar");
+        assertThat(json.at("/idle/texts/0").asText()).isEqualTo(NASTY);
+        assertThat(json.at("/idle/parts/0").toString())
+                .isEqualTo("{\"robot\":\"one\",\"part\":\"pilot\",\"reasons\":[0,0,100,1]}");
         assertThat(json.get("seed").asLong()).isEqualTo(1);
         assertThat(json.at("/then/0/from").asLong()).as("in milliseconds").isEqualTo(2500);
         assertThat(json.at("/then/0/seed").asLong()).isEqualTo(7);

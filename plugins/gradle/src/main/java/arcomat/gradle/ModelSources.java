@@ -33,7 +33,7 @@ final class ModelSources {
                 project.getObjects()
                         .sourceDirectorySet(NAME, sourceSet.getName() + " component models");
         arc.srcDir("src/" + sourceSet.getName() + "/" + NAME);
-        arc.include("**/*.arc", "**/*.ioautomaton", "**/*.cd", "**/*.mt");
+        arc.include("**/*.arc", "**/*.ioautomaton", "**/*.maa", "**/*.cd", "**/*.mt");
         // As the tool does: hidden folders hold no models.
         arc.exclude("**/.*");
         // A model root may be the project's own folder, and what is built there is no source.

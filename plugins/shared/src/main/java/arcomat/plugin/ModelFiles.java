@@ -7,7 +7,8 @@ import java.util.List;
 /** Which files of a model root belong to what others may refer to, wherever it is packed. */
 public final class ModelFiles {
     /** Files that others refer to. */
-    public static final List<String> MODELS = List.of("**/*.arc", "**/*.ioautomaton", "**/*.cd");
+    public static final List<String> MODELS =
+            List.of("**/*.arc", "**/*.ioautomaton", "**/*.maa", "**/*.cd");
 
     /** Code written by hand for platform components, by target: robots of others need it. */
     public static final String PLATFORM = "platform/**";

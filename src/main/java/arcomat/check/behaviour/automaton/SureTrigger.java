@@ -61,7 +61,10 @@ final class SureTrigger {
     static Optional<SureTrigger> of(TransitionSymbol transition) {
         SureTrigger trigger = new SureTrigger();
         AutomatonElement.Transition node = transition.node();
-        if (node.rank() > 0 || transition.guard().isPresent() || !areMessages(node.input())) {
+        if (node.rank() > 0
+                || transition.guard().isPresent()
+                || transition.actions().isPresent()
+                || !areMessages(node.input())) {
             return Optional.empty();
         }
         for (ItemSymbol item : transition.input()) {

@@ -78,11 +78,17 @@ public final class Items {
             return (port.isInput() ? "input port '" : "output port '") + port.name() + "'";
         }
         if (target instanceof VariableSymbol variable) {
-            return variable.kind() == VariableSymbol.Kind.AUTOMATON
-                    ? "variable '" + variable.name() + "'"
-                    : "component variable '" + variable.name() + "'";
+            return kind(variable.kind()) + " '" + variable.name() + "'";
         }
         return "parameter '" + target.name() + "'";
+    }
+
+    private static String kind(VariableSymbol.Kind kind) {
+        return switch (kind) {
+            case AUTOMATON -> "variable";
+            case COMPONENT -> "component variable";
+            case LOCAL -> "local variable";
+        };
     }
 
     /** Names that an item of a side may have, for suggestions. */

@@ -3,6 +3,7 @@ package arcomat.check.behaviour.total;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
+import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -15,6 +16,7 @@ import arcomat.tree.Node;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** ARC0327: every block, and every row of a table, sends a message on each total output. */
 public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable {
@@ -30,11 +32,18 @@ public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable 
                         ? List.of()
                         : total.stream().filter(port -> port.delay() == 1).toList();
         for (InitialSymbol initial : automaton.initials()) {
-            check(initial.items(), initial.node().output(), initial.node(), delayed, findings);
+            check(
+                    initial.items(),
+                    initial.actions(),
+                    initial.node().output(),
+                    initial.node(),
+                    delayed,
+                    findings);
         }
         for (TransitionSymbol transition : automaton.transitions()) {
             check(
                     transition.output(),
+                    transition.actions(),
                     transition.node().output(),
                     transition.node(),
                     total,
@@ -45,21 +54,24 @@ public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable 
     /** An item that does not resolve may be meant for any port; it has a finding already. */
     private static void check(
             List<ItemSymbol> items,
+            Optional<ActionSymbol> actions,
             Optional<Block> block,
             Node clause,
             List<PortSymbol> total,
             Findings findings) {
-        List<PortSymbol> missing = new ArrayList<>(total);
-        for (ItemSymbol item : items) {
-            if (item.target().found().isEmpty()) {
-                return;
-            }
-            if (!Items.isSilence(item.value())) {
-                Items.port(item).ifPresent(missing::remove);
-            }
+        if (items.stream().anyMatch(item -> item.target().found().isEmpty())) {
+            return;
         }
+        Set<PortSymbol> sent =
+                actions.map(each -> each.match(new SurelySent(Set.of())))
+                        .orElseGet(() -> SurelySent.atOnce(items));
+        List<PortSymbol> missing = total.stream().filter(port -> !sent.contains(port)).toList();
         if (!missing.isEmpty()) {
-            report(block.<Node>map(each -> each).orElse(clause), missing, findings);
+            Node place =
+                    actions.<Node>map(ActionSymbol::node)
+                            .or(() -> block.map(each -> each))
+                            .orElse(clause);
+            report(place, missing, findings);
         }
     }
 

@@ -5,7 +5,10 @@ import arcomat.check.law.Check;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.signatures.ComponentReference;
+import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Element;
 
 import java.util.List;
@@ -14,7 +17,7 @@ import java.util.List;
  * ARC0117: a part has an argument for each parameter without a default, and none too many. (Hab16
  * R10, Wor16 MR1)
  */
-public final class ArgumentCount implements Check.OnInstance {
+public final class ArgumentCount implements Check.OnInstance, Check.OnComponent {
 
     @Override
     public void check(InstanceSymbol instance, Context context, Findings findings) {
@@ -22,16 +25,31 @@ public final class ArgumentCount implements Check.OnInstance {
             return;
         }
         ComponentSymbol component = instance.component().get();
-        List<ParameterSymbol> parameters = component.parameters();
-        int given = instance.arguments().size();
-        if (given > parameters.size()) {
-            reportSuperfluous(instance, component, findings);
+        check(component.signature(), instance.arguments(), place(instance), findings);
+    }
+
+    /** Of the component that it extends, where it gives arguments to that. */
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        Signature heir = component.signature();
+        if (heir.node().superArguments().isPresent()) {
+            Span place = heir.node().superComponent().orElseThrow().name().span();
+            heir.superComponent()
+                    .flatMap(ComponentReference::component)
+                    .ifPresent(above -> check(above, heir.superArguments(), place, findings));
+        }
+    }
+
+    private static void check(
+            Signature component, List<GivenArgument> given, Span place, Findings findings) {
+        if (given.size() > component.parameters().size()) {
+            reportSuperfluous(component, given, findings);
             return;
         }
-        List<String> missing = missing(parameters, given);
+        List<String> missing = missing(component.parameters(), given);
         if (!missing.isEmpty()) {
             findings.report(
-                            place(instance),
+                            place,
                             "component '%s' needs %s for %s; write %s in parentheses behind '%s'",
                             component.name(),
                             missing.size() == 1 ? "an argument" : "arguments",
@@ -42,28 +60,35 @@ public final class ArgumentCount implements Check.OnInstance {
         }
     }
 
-    /** The parameters without an argument that have no default either. */
-    public static List<String> missing(List<ParameterSymbol> parameters, int given) {
+    /**
+     * The parameters without an argument that have no default either; none where the name of an
+     * argument is that of no parameter, which may be misspelt.
+     */
+    public static List<String> missing(
+            List<ParameterSymbol> parameters, List<GivenArgument> given) {
+        if (given.stream().anyMatch(GivenArgument::isLost)) {
+            return List.of();
+        }
         return parameters.stream()
-                .skip(given)
+                .filter(parameter -> GivenArgument.find(given, parameter).isEmpty())
                 .filter(parameter -> parameter.node().initial().isEmpty())
                 .map(ParameterSymbol::name)
                 .toList();
     }
 
     private static void reportSuperfluous(
-            InstanceSymbol instance, ComponentSymbol component, Findings findings) {
+            Signature component, List<GivenArgument> given, Findings findings) {
         int expected = component.parameters().size();
         String takes =
                 expected == 0
                         ? "no arguments"
                         : (expected == 1 ? "" : "at most ") + Wording.count(expected, "argument");
         findings.report(
-                        instance.arguments().get(expected).expression().node(),
+                        given.get(expected).node(),
                         "component '%s' takes %s, but gets %s; delete what is too much",
                         component.name(),
                         takes,
-                        instance.arguments().size())
+                        given.size())
                 .related(component.nameSpan(), "declared here");
     }
 

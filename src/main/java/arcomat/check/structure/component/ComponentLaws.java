@@ -1,6 +1,7 @@
 package arcomat.check.structure.component;
 
 import static arcomat.check.law.Law.Needs.ALL;
+import static arcomat.check.law.Law.Needs.NAMES;
 import static arcomat.check.law.Law.error;
 import static arcomat.check.law.Law.executableError;
 import static arcomat.check.law.Law.warning;
@@ -15,6 +16,7 @@ public final class ComponentLaws {
     public static final List<Law> LAWS =
             List.of(
                     error("ARC0117", new ArgumentCount()),
+                    error("ARC0134", new ArgumentNamesParameter()).needing(NAMES),
                     error("ARC0118", new ArgumentType()),
                     error("ARC0133", new BehaviourLanguageKnown()),
                     executableError("ARC0125", new BehaviourPresent()).needing(ALL),
@@ -32,6 +34,7 @@ public final class ComponentLaws {
                     error("ARC0129", new ProfilesNotMixed()).needing(ALL),
                     executableError("ARC0126", new SingleAutomaton()),
                     error("ARC0112", new SubcomponentAcyclic()),
+                    error("ARC0135", new SuperArgumentsSmall()),
                     error("ARC0101", new TopLevelComponentWithoutInstance()));
 
     private ComponentLaws() {}

@@ -17,7 +17,7 @@ public final class InvariantUnevaluated implements Check.OnComponent {
                                     findings.report(
                                             invariant.node().name(),
                                             "invariant '%s' is not looked at by any command: %s",
-                                            invariant.name(),
+                                            invariant.title(),
                                             reason));
         }
     }

@@ -123,7 +123,10 @@ public final class WorldCommand extends Command {
     }
 
     private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
-        Recording recording = prepared.run(drawn, bricks.patience(), bricks.limits());
+        Recording recording =
+                report == null
+                        ? prepared.run(drawn, bricks.patience(), bricks.limits())
+                        : prepared.explain(drawn, bricks.patience(), bricks.limits());
         tell(recording, prepared);
         if (report != null) {
             String title = world + ", " + seeds.shown() + set.shown();

@@ -9,9 +9,9 @@ import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
-import arcomat.symbols.expressions.Typed;
 import arcomat.tree.Node;
 import arcomat.tree.Unit;
 
@@ -60,14 +60,14 @@ public final class InlineFacts {
         Node last = null;
         for (InstanceSymbol part : component.ownInstances()) {
             if (part.node() != last) {
-                part.component()
-                        .ifPresent(type -> addArguments(type.parameters(), part.arguments()));
+                addArguments(part.arguments());
             }
             last = part.node();
         }
         component.connectors().stream()
                 .filter(each -> each.owner() == component)
                 .forEach(this::addPorts);
+        addArguments(component.signature().superArguments());
         if (component.isDecomposed() && !component.isEventDriven()) {
             component.signature().ownPorts().stream()
                     .filter(PortSymbol::isOutput)
@@ -76,17 +76,16 @@ public final class InlineFacts {
     }
 
     private void add(TestSuiteSymbol suite) {
-        suite.component()
-                .found()
-                .ifPresent(type -> addArguments(type.parameters(), suite.arguments()));
+        addArguments(suite.arguments());
     }
 
-    private void addArguments(List<ParameterSymbol> parameters, List<Typed> arguments) {
-        for (int i = 0; i < Math.min(parameters.size(), arguments.size()); i++) {
-            Span argument = arguments.get(i).expression().node().span();
-            String name = parameters.get(i).name();
-            if (!argument.text().equals(name)) {
-                add(argument.start(), name + ":", InlayHintKind.Parameter);
+    /** Of those that do not say it themselves. */
+    private void addArguments(List<GivenArgument> arguments) {
+        for (GivenArgument argument : arguments) {
+            Span span = argument.node().span();
+            String name = argument.parameter().map(ParameterSymbol::name).orElse(span.text());
+            if (argument.node().name().isEmpty() && !span.text().equals(name)) {
+                add(span.start(), name + ":", InlayHintKind.Parameter);
             }
         }
     }

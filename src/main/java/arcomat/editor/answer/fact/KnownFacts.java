@@ -131,13 +131,15 @@ record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<S
 
     @Override
     public List<String> variable(Referent.Variable variable) {
-        if (variable.symbol().kind() == VariableSymbol.Kind.AUTOMATON) {
-            return List.of("a variable of the automaton");
-        }
         return List.of(
-                isField(variable.symbol())
-                        ? "a variable of the component: its automaton writes it"
-                        : "a constant of the component");
+                switch (variable.symbol().kind()) {
+                    case AUTOMATON -> "a variable of the automaton";
+                    case COMPONENT ->
+                            isField(variable.symbol())
+                                    ? "a variable of the component: its automaton writes it"
+                                    : "a constant of the component";
+                    case LOCAL -> "a name for a value among the statements of one step";
+                });
     }
 
     private boolean isField(VariableSymbol variable) {

@@ -1,0 +1,152 @@
+package arcomat.check.behaviour.action;
+
+import arcomat.check.law.Check;
+import arcomat.symbols.bodies.ActionSymbol;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.TypedExpression;
+import arcomat.symbols.expressions.ValueSymbol;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * ARC0345: statements stand for so many ways through them, and for values of such a size, that
+ * everybody can look at all of them.
+ */
+public final class ActionsBounded implements Check.OnActions {
+    /** Ways through the statements of one transition; each is a transition of the automaton. */
+    private static final long MOST_WAYS = 64;
+
+    /** Names, literals and operators of one value, where names stand for what was assigned. */
+    private static final long LARGEST = 2_000;
+
+    /** Beyond it, it does not matter how far. */
+    private static final long TOO_MUCH = 1_000_000;
+
+    @Override
+    public void check(ActionSymbol actions, Context context, Findings findings) {
+        long ways = actions.match(new Ways());
+        if (ways > MOST_WAYS) {
+            findings.report(
+                    actions.choices().get(0).condition().expression().node(),
+                    "there are %s ways through these statements, and at most %s are looked at;"
+                            + " choose values by 'if .. then .. else ..', or write several"
+                            + " transitions",
+                    ways >= TOO_MUCH ? "far too many" : ways,
+                    MOST_WAYS);
+            return;
+        }
+        actions.match(new Sizes(findings));
+    }
+
+    /** How many ways there are. */
+    private static final class Ways implements ActionSymbol.Cases<Long> {
+        @Override
+        public Long sequence(ActionSymbol.Sequence sequence) {
+            long ways = 1;
+            for (ActionSymbol each : sequence.actions()) {
+                ways = Math.min(TOO_MUCH, ways * each.match(this));
+            }
+            return ways;
+        }
+
+        @Override
+        public Long choose(ActionSymbol.Choose choice) {
+            long otherwise = choice.otherwise().map(each -> each.match(this)).orElse(1L);
+            return Math.min(TOO_MUCH, choice.then().match(this) + otherwise);
+        }
+
+        @Override
+        public Long assign(ActionSymbol.Assign assign) {
+            return 1L;
+        }
+
+        @Override
+        public Long declare(ActionSymbol.Declare declare) {
+            return 1L;
+        }
+    }
+
+    /** How large values become at most, whichever way is taken. */
+    private static final class Sizes implements ActionSymbol.Cases<Boolean> {
+        private final Findings findings;
+        private Map<ValueSymbol, Long> sizes = new HashMap<>();
+
+        Sizes(Findings findings) {
+            this.findings = findings;
+        }
+
+        @Override
+        public Boolean sequence(ActionSymbol.Sequence sequence) {
+            return sequence.actions().stream().allMatch(each -> each.match(this));
+        }
+
+        @Override
+        public Boolean choose(ActionSymbol.Choose choice) {
+            if (!isSmall(choice.condition())) {
+                return false;
+            }
+            Map<ValueSymbol, Long> before = new HashMap<>(sizes);
+            boolean small = choice.then().match(this);
+            Map<ValueSymbol, Long> then = sizes;
+            sizes = before;
+            small &= choice.otherwise().map(each -> each.match(this)).orElse(true);
+            then.forEach((name, size) -> sizes.merge(name, size, Math::max));
+            return small;
+        }
+
+        @Override
+        public Boolean assign(ActionSymbol.Assign assign) {
+            ItemSymbol item = assign.item();
+            for (Typed each : item.value().expressions()) {
+                if (!isSmall(each)) {
+                    return false;
+                }
+                item.target().found().ifPresent(target -> sizes.put(target, size(each)));
+            }
+            return true;
+        }
+
+        @Override
+        public Boolean declare(ActionSymbol.Declare declare) {
+            for (ActionSymbol.Local local : declare.locals()) {
+                Typed initial = local.variable().initial().orElse(null);
+                if (initial != null) {
+                    if (!isSmall(initial)) {
+                        return false;
+                    }
+                    sizes.put(local.variable(), size(initial));
+                }
+            }
+            return true;
+        }
+
+        private boolean isSmall(Typed value) {
+            long size = size(value);
+            if (size > LARGEST) {
+                findings.report(
+                        value.expression().node(),
+                        "written out with what was assigned before, this value has %s parts, and at"
+                                + " most %s are looked at; keep something in between in a variable"
+                                + " of the automaton, and go on in the next step",
+                        size >= TOO_MUCH ? "far too many" : size,
+                        LARGEST);
+            }
+            return size <= LARGEST;
+        }
+
+        private long size(Typed value) {
+            long[] size = {0};
+            value.expression()
+                    .walk(each -> size[0] = Math.min(TOO_MUCH, size[0] + sizeOfPart(each)));
+            return size[0];
+        }
+
+        private long sizeOfPart(TypedExpression part) {
+            return part instanceof TypedExpression.VariableRead read
+                    ? sizes.getOrDefault(read.variable(), 1L)
+                    : 1;
+        }
+    }
+}

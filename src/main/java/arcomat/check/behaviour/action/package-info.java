@@ -1,0 +1,2 @@
+/** Laws about statements in actions. */
+package arcomat.check.behaviour.action;

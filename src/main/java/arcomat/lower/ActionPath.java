@@ -1,0 +1,86 @@
+package arcomat.lower;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Variable;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * One way through statements, up to some place. All that it has is said of the values before the
+ * first of them.
+ *
+ * @param conditions that are true where this way is gone, first to last
+ * @param values what variables stand for, in the order of their first assignment
+ * @param locals those of them that nobody keeps
+ * @param sends what ports carry, by their names, in the order of their first message
+ */
+record ActionPath(
+        List<Expression> conditions,
+        Map<Variable, Expression> values,
+        Set<Variable> locals,
+        Map<String, Automaton.Send> sends) {
+    static final ActionPath EMPTY = new ActionPath(List.of(), Map.of(), Set.of(), Map.of());
+
+    /** The value of an expression at this place. */
+    Expression current(Expression expression) {
+        if (expression instanceof Expression.VariableRead read) {
+            return values.getOrDefault(read.variable(), read);
+        }
+        return values.isEmpty() ? expression : expression.withOperands(this::current);
+    }
+
+    /**
+     * @param condition at this place
+     */
+    ActionPath when(Expression condition) {
+        List<Expression> more = new ArrayList<>(conditions);
+        if (!(condition instanceof Expression.Constant)) {
+            more.add(condition);
+        }
+        return new ActionPath(more, values, locals, sends);
+    }
+
+    /** What is assigned last counts. */
+    ActionPath assigning(Variable variable, Expression value, boolean isLocal) {
+        Map<Variable, Expression> more = new LinkedHashMap<>(values);
+        more.put(variable, current(value));
+        Set<Variable> known = new HashSet<>(locals);
+        if (isLocal) {
+            known.add(variable);
+        }
+        return new ActionPath(conditions, more, known, sends);
+    }
+
+    /** What is sent last counts. */
+    ActionPath sending(Automaton.Send send) {
+        Map<String, Automaton.Send> more = new LinkedHashMap<>(sends);
+        more.put(send.port().name(), new Automaton.Send(send.port(), current(send.emission())));
+        return new ActionPath(conditions, values, locals, more);
+    }
+
+    private Automaton.Emission current(Automaton.Emission emission) {
+        return emission.match(
+                messages ->
+                        new Automaton.Messages(
+                                messages.values().stream().map(this::current).toList()),
+                () -> emission,
+                () -> emission);
+    }
+
+    List<Automaton.Assignment> assignments() {
+        return values.entrySet().stream()
+                .filter(each -> !locals.contains(each.getKey()))
+                .map(each -> new Automaton.Assignment(each.getKey(), each.getValue()))
+                .toList();
+    }
+
+    List<Automaton.Send> sent() {
+        return List.copyOf(sends.values());
+    }
+}

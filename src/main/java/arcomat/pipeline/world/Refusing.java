@@ -1,0 +1,126 @@
+package arcomat.pipeline.world;
+
+import arcomat.generate.CodeLayout;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Refusal;
+import arcomat.pipeline.compile.AutomatonFields;
+import arcomat.pipeline.compile.CodeParts;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.WhyNot;
+import arcomat.semantics.network.Network;
+import arcomat.sim.load.LoadedProgram;
+import arcomat.sim.load.Probe;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Why no transition of the parts of one robot's program is enabled, while it runs: at the beginning
+ * of each of their steps the fields of the generated code say where they are, and the model says
+ * what that means. Parts with several automata are left out, and those that handle events.
+ */
+final class Refusing {
+    private static final String STEP = "step";
+
+    private final CodeLayout layout;
+    private final Component whole;
+    private final String type;
+    private final List<Network.Instance> instances;
+    private final Map<Object, Part> parts = new IdentityHashMap<>();
+
+    /** A part as it runs. */
+    private record Part(String path, StepRelation relation, WhyNot whyNot, AutomatonFields fields) {
+        Optional<Refusal> nearest() {
+            Configuration configuration = fields.configuration();
+            Input input = fields.input();
+            return relation.choices(configuration, input).enabled().isEmpty()
+                    ? whyNot.nearest(configuration, input)
+                    : Optional.empty();
+        }
+    }
+
+    /**
+     * What is to be said of a step.
+     *
+     * @param part its path in the program; empty for the whole
+     * @param nearest the transition that came nearest, where none was enabled and one leaves the
+     *     state
+     */
+    record Said(String part, Optional<Refusal> nearest) {}
+
+    private Refusing(CodeLayout layout, Component whole) {
+        this.layout = layout;
+        this.whole = whole;
+        this.type = place(layout, whole).className();
+        this.instances =
+                Network.of(whole, List.of()).instances().stream()
+                        .filter(each -> automaton(each.component()).isPresent())
+                        .toList();
+    }
+
+    /** Of a program; nothing where it was not made of a model. */
+    static Optional<Refusing> of(Optional<CodeLayout> layout) {
+        return layout.filter(each -> each.wholes().size() == 1)
+                .map(each -> new Refusing(each, each.wholes().get(0)));
+    }
+
+    private static CodeLayout.Place place(CodeLayout layout, Component component) {
+        return Objects.requireNonNull(layout.components().get(component.qualifiedName()));
+    }
+
+    private static Optional<Automaton> automaton(Component component) {
+        return component.platform()
+                        || component.profile() != Component.Profile.TIME_SYNCHRONOUS
+                        || !(component.body() instanceof Component.Atomic body)
+                        || body.automata().size() != 1
+                ? Optional.empty()
+                : Optional.of(body.automata().get(0));
+    }
+
+    /** The same program, which tells when its parts take their steps. */
+    LoadedProgram probed(LoadedProgram program) {
+        List<String> types = new ArrayList<>(List.of(type));
+        instances.forEach(each -> types.add(place(layout, each.component()).className()));
+        return LoadedProgram.forMany(
+                program.program(),
+                types.stream().distinct().map(each -> new Probe(each, STEP)).toList(),
+                List.of());
+    }
+
+    /** A step begins; nothing where it is not that of a part with an automaton. */
+    Optional<Said> entered(Object object, String method) {
+        if (!method.equals(STEP)) {
+            return Optional.empty();
+        }
+        if (parts.isEmpty() && object.getClass().getName().equals(type)) {
+            meet(object);
+        }
+        return Optional.ofNullable(parts.get(object))
+                .map(part -> new Said(part.path(), part.nearest()));
+    }
+
+    private void meet(Object object) {
+        Map<String, CodeParts.Part> objects = CodeParts.of(whole, object, layout);
+        for (Network.Instance each : instances) {
+            Object own = Objects.requireNonNull(objects.get(each.path())).object();
+            StepRelation relation =
+                    ComponentSemantics.of(each.component(), each.arguments()).relations().get(0);
+            parts.put(
+                    own,
+                    new Part(
+                            each.path(),
+                            relation,
+                            WhyNot.of(relation),
+                            new AutomatonFields(
+                                    each.component(), relation.automaton(), own, layout)));
+        }
+    }
+}

@@ -1,0 +1,204 @@
+package arcomat.lower.statements;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.check.Checks;
+import arcomat.check.law.Profile;
+import arcomat.lower.Lowering;
+import arcomat.model.Component;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Statements mean what somebody who does one after the other would do. */
+class StatementsMeaningTest {
+    private static final int PROGRAMS = 3_000;
+    private static final int STEPS = 25;
+    private static final String NOT_ENABLED = "not enabled";
+    private static final String ERROR = "error";
+
+    /** Literals out of a range, and divisions by a literal zero: they are told, and go wrong. */
+    private static final Set<String> SURE_TO_FAIL = Set.of("ARC0322", "ARC0323");
+
+    private static final String TOO_LARGE = "ARC0345";
+
+    @Test
+    void statementsAreDoneOneAfterTheOther() {
+        Map<String, Integer> seen = new HashMap<>();
+        for (int seed = 0; seed < PROGRAMS; seed++) {
+            Random random = new Random(seed);
+            Program program = DrawnProgram.of(random);
+            Term guard = Term.silence("p", random.nextBoolean(), "--");
+            boolean guarded = random.nextInt(4) == 0;
+            String text = text(program, guarded ? "[" + guard.text() + "] " : "");
+            Optional<StepRelation> relation = relation(text);
+            if (relation.isEmpty()) {
+                seen.merge("too many ways", 1, Integer::sum);
+                continue;
+            }
+            for (int step = 0; step < STEPS; step++) {
+                Map<String, Object> messages = messages(random);
+                Map<String, Object> variables = variables(random);
+                boolean may =
+                        !guarded
+                                || guard.in(new Frame(messages, variables))
+                                        .truth()
+                                        .equals(Optional.of(true));
+                String expected = may ? done(program, messages, variables) : NOT_ENABLED;
+                assertThat(taken(relation.get(), messages, variables))
+                        .as("seed %s, %s, %s in%n%s", seed, messages, variables, text)
+                        .isEqualTo(expected);
+                seen.merge(expected.startsWith("o") ? "done" : expected, 1, Integer::sum);
+            }
+        }
+        assertThat(seen).containsKeys("done", NOT_ENABLED, ERROR);
+        assertThat(seen.get("done")).isGreaterThan(PROGRAMS * STEPS / 5);
+        assertThat(seen.getOrDefault("too many ways", 0)).isLessThan(PROGRAMS / 10);
+    }
+
+    private static String text(Program program, String guard) {
+        return """
+        component C {
+          timing instant;
+          port in Integer p, in Boolean q, out Integer[0..9] o, out Boolean r;
+          var Integer[-9..9] a = 0;
+          var Boolean c = false;
+          <<completion = "ignore">> automaton {
+            variable Integer b = 0;
+            state s, t;
+            initial s / do { a = 0; c = false; };
+            s -> t %s/ do {
+              %s
+            };
+          }
+        }
+        """
+                .formatted(guard, String.join("\n      ", program.lines()));
+    }
+
+    private static Optional<StepRelation> relation(String text) {
+        Parsed parsed = Parser.parse(new SourceFile("C.arc", text));
+        assertThat(parsed.findings()).as(text).isEmpty();
+        Workspace workspace = Workspace.of(List.of(parsed.unit().orElseThrow()), Set.of());
+        Set<String> findings =
+                Checks.run(workspace, Profile.REQUIREMENTS).stream()
+                        .map(Diagnostic::code)
+                        .collect(Collectors.toSet());
+        findings.removeAll(SURE_TO_FAIL);
+        assertThat(findings).as(text).isSubsetOf(TOO_LARGE);
+        if (!findings.isEmpty()) {
+            return Optional.empty();
+        }
+        Component component = Lowering.lower(workspace).components().get(0);
+        return Optional.of(ComponentSemantics.of(component, List.of()).relations().get(0));
+    }
+
+    private static Map<String, Object> messages(Random random) {
+        Map<String, Object> messages = new LinkedHashMap<>();
+        if (random.nextInt(4) > 0) {
+            messages.put("p", random.nextInt(7) - 3);
+        }
+        if (random.nextInt(4) > 0) {
+            messages.put("q", random.nextBoolean());
+        }
+        return messages;
+    }
+
+    private static Map<String, Object> variables(Random random) {
+        Map<String, Object> variables = new LinkedHashMap<>();
+        variables.put("a", random.nextInt(7) - 3);
+        variables.put("c", random.nextBoolean());
+        variables.put("b", random.nextInt(7) - 3);
+        return variables;
+    }
+
+    /** What happens where each statement is done after the one before. */
+    private static String done(
+            Program program, Map<String, Object> messages, Map<String, Object> variables) {
+        Frame frame = new Frame(messages, variables);
+        try {
+            program.run().accept(frame);
+            List<Deferred> kept = new ArrayList<>();
+            variables.keySet().forEach(name -> kept.add(frame.value(name)));
+            frame.sent.values().forEach(each -> each.ifPresent(kept::add));
+            if (!kept.stream().allMatch(each -> messages.keySet().containsAll(each.reads()))) {
+                return NOT_ENABLED;
+            }
+            Map<String, String> sent = new HashMap<>();
+            frame.sent.forEach(
+                    (port, value) ->
+                            value.ifPresent(
+                                    each -> sent.put(port, String.valueOf(each.value().get()))));
+            List<String> after = new ArrayList<>();
+            variables.keySet().forEach(each -> after.add(frame.value(each).value().get() + ""));
+            boolean inside =
+                    Math.abs(Integer.parseInt(after.get(0))) <= 9
+                            && Integer.parseInt(sent.getOrDefault("o", "0")) >= 0
+                            && Integer.parseInt(sent.getOrDefault("o", "0")) <= 9;
+            return inside
+                    ? "o %s, r %s, then %s"
+                            .formatted(
+                                    sent.getOrDefault("o", "--"),
+                                    sent.getOrDefault("r", "--"),
+                                    after)
+                    : ERROR;
+        } catch (Program.NotEnabled missing) {
+            return NOT_ENABLED;
+        } catch (ArithmeticException division) {
+            return ERROR;
+        }
+    }
+
+    private static String taken(
+            StepRelation relation, Map<String, Object> messages, Map<String, Object> variables) {
+        Configuration before =
+                new Configuration(
+                        0,
+                        variables.values().stream()
+                                .map(StatementsMeaningTest::value)
+                                .toArray(Value[]::new));
+        Value[] slots = {value(messages.get("p")), value(messages.get("q"))};
+        StepRelation.Prospect prospect = relation.prospect(before, Input.of(slots));
+        if (!prospect.errors().isEmpty()) {
+            return prospect.reactions().isEmpty() ? ERROR : "error and " + prospect.reactions();
+        }
+        assertThat(prospect.reactions()).hasSize(1);
+        StepRelation.Reaction reaction = prospect.reactions().get(0);
+        if (!(reaction.cause() instanceof Trace.Taken)) {
+            return NOT_ENABLED;
+        }
+        return "o %s, r %s, then %s"
+                .formatted(
+                        reaction.output().ports().get(0),
+                        reaction.output().ports().get(1),
+                        reaction.next().variables());
+    }
+
+    private static Value value(Object value) {
+        return value == null
+                ? null
+                : value instanceof Integer number
+                        ? new Value.IntegerValue(number)
+                        : new Value.BooleanValue((Boolean) value);
+    }
+}
