@@ -2,6 +2,7 @@ package arcomat.laws;
 
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
+import arcomat.laws.draw.Ranks;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;
@@ -29,7 +30,7 @@ record Models(List<SourceFile> files, Model model, int seed) {
                 return Optional.empty();
             }
         }
-        Model model = Lowering.lower(workspace);
+        Model model = Ranks.of(Lowering.lower(workspace));
         boolean silent =
                 model.components().stream()
                         .anyMatch(c -> !c.isComposite() && c.automata().isEmpty());

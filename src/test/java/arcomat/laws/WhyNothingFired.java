@@ -130,10 +130,30 @@ final class WhyNothingFired implements Law {
     private static StepRelation without(StepRelation relation, Refusal refusal, int clause) {
         List<Automaton.Transition> transitions =
                 new ArrayList<>(relation.automaton().transitions());
-        transitions.set(refusal.index(), without(refusal.transition(), clause));
+        List<Automaton.Transition> before = relation.automaton().before(refusal.transition());
+        int own = refusal.clauses().size() - before.size();
+        if (clause < own) {
+            transitions.set(refusal.index(), without(refusal.transition(), clause));
+        } else {
+            int rank = refusal.transition().rank();
+            Automaton.Transition first = before.get(clause - own);
+            transitions.replaceAll(each -> each == first ? ranked(first, rank) : each);
+        }
         Component component = relation.component();
         Automaton changed = relation.automaton().withTransitions(transitions);
         return ComponentSemantics.of(component, List.of(changed), List.of()).relations().get(0);
+    }
+
+    private static Automaton.Transition ranked(Automaton.Transition from, int rank) {
+        return new Automaton.Transition(
+                from.source(),
+                from.target(),
+                from.guard(),
+                from.matches(),
+                from.sends(),
+                from.assignments(),
+                rank,
+                from.span());
     }
 
     private static Automaton.Transition without(Automaton.Transition from, int clause) {
@@ -154,6 +174,7 @@ final class WhyNothingFired implements Law {
                 matches,
                 inEffect ? List.of() : from.sends(),
                 inEffect ? List.of() : from.assignments(),
+                from.rank(),
                 from.span());
     }
 

@@ -30,7 +30,7 @@ final class LiteralTyping {
                             Kind.UNSUPPORTED_EXPRESSION,
                             literal,
                             "null is no value to calculate with; a port is compared with it by =="
-                                + " or !=");
+                                    + " or !=");
         };
     }
 

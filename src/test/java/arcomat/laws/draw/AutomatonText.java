@@ -15,6 +15,7 @@ final class AutomatonText {
     private final List<Local> locals = new ArrayList<>();
     private final List<String> lines = new ArrayList<>();
     private final boolean free;
+    private final boolean ranked;
 
     private AutomatonText(Draw draw, List<Plug> plugs, boolean events) {
         this.draw = draw;
@@ -22,6 +23,7 @@ final class AutomatonText {
         this.inputs = Plug.inputs(plugs);
         this.outputs = Plug.outputs(plugs);
         this.free = draw.chance(Features.OPEN, 15);
+        this.ranked = draw.chance(Features.RANKS, 15);
     }
 
     /**
@@ -117,8 +119,9 @@ final class AutomatonText {
             }
         }
         lines.add(
-                "        s%d -> s%d%s%s%s;"
+                "        %ss%d -> s%d%s%s%s;"
                         .formatted(
+                                ranked ? Ranks.text(draw.below(3)) : "",
                                 source,
                                 target,
                                 guard.isEmpty() ? "" : " [" + guard + "]",

@@ -23,6 +23,8 @@ public enum Features {
     OPEN,
     /** Variables of the component that its automaton writes. */
     FIELDS,
+    /** Transitions that come before others. */
+    RANKS,
     /** What is done one after the other, with choices. */
     STATEMENTS;
 

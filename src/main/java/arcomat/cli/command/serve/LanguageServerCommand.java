@@ -25,7 +25,7 @@ import java.util.List;
             "It speaks the Language Server Protocol. Editors are told to start it for files that"
                     + " end in",
             ".arc, .cd, .ioautomaton, .maa and .mt; docs/editors.md has the lines for several of"
-                + " them.",
+                    + " them.",
             "",
             "Exit status: 0 the editor took its leave; 1 it broke off; 2 wrong use."
         })
