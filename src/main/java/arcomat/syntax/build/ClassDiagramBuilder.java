@@ -98,8 +98,9 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
         return context == null ? List.of() : phrases.types(context.type());
     }
 
-    private List<Member> body(ArcomatParser.TypeBodyContext context) {
-        return members.buildAll(context.typeMember());
+    /** Where nothing but its semicolon is missing, there is none, and the rest is read. */
+    private List<Member> body(ArcomatParser.@Nullable TypeBodyContext context) {
+        return context == null ? List.of() : members.buildAll(context.typeMember());
     }
 
     // ---- associations ---------------------------------------------------------------------
