@@ -137,7 +137,7 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
     }
 
     private Optional<Name> role(ArcomatParser.@Nullable RoleContext context) {
-        return optional(context, each -> phrases.name(each.name()));
+        return context == null ? Optional.empty() : Optional.of(phrases.name(context.name()));
     }
 
     /** Without the spaces in it. */
