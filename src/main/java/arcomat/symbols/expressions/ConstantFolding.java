@@ -25,9 +25,14 @@ public final class ConstantFolding {
 
     /**
      * The value of a whole number that is also computed: sums, products and the like, in the
-     * arithmetic of the operands' type. Empty also for a division by zero.
+     * arithmetic of the operands' type, where a character counts as its number. Empty also for a
+     * division by zero.
      */
     public static Optional<Long> computed(TypedExpression expression) {
+        if (expression instanceof TypedExpression.Literal literal
+                && literal.value() instanceof Character character) {
+            return Optional.of((long) character);
+        }
         if (expression instanceof TypedExpression.Unary unary
                 && unary.node().operator() == UnaryOperator.MINUS) {
             return computed(unary.operand()).map(value -> wrapped(-value, unary.type()));
