@@ -30,10 +30,10 @@ final class Dispatch {
     /**
      * Trials that a worker holds for each of its threads. What it holds is made again if it dies.
      */
-    private static final int HELD = 48;
+    private static final int HELD = 32;
 
     /** Trials of one message at most: a worker goes on with the next ones while answers travel. */
-    private static final int BATCH = HELD / 3;
+    private static final int BATCH = HELD / 2;
 
     /** A trial that so many workers went with is given up; the last of them had no other one. */
     static final int LOSSES = 3;
