@@ -29,10 +29,6 @@ public final class ConstantFolding {
      * division by zero.
      */
     public static Optional<Long> computed(TypedExpression expression) {
-        if (expression instanceof TypedExpression.Literal literal
-                && literal.value() instanceof Character character) {
-            return Optional.of((long) character);
-        }
         if (expression instanceof TypedExpression.Unary unary
                 && unary.node().operator() == UnaryOperator.MINUS) {
             return computed(unary.operand()).map(value -> wrapped(-value, unary.type()));
@@ -44,7 +40,14 @@ public final class ConstantFolding {
                     .flatMap(l -> computed(binary.right()).flatMap(r -> apply(binary, l, r)))
                     .map(value -> wrapped(value, type));
         }
-        return wholeNumber(expression);
+        return wholeNumber(expression).or(() -> character(expression));
+    }
+
+    private static Optional<Long> character(TypedExpression expression) {
+        return expression instanceof TypedExpression.Literal literal
+                        && literal.value() instanceof Character character
+                ? Optional.of((long) character)
+                : Optional.empty();
     }
 
     private static Optional<Long> apply(TypedExpression.Binary binary, long left, long right) {
