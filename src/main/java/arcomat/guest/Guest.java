@@ -37,6 +37,11 @@ public interface Guest {
         return List.of();
     }
 
+    /** Questions about automata, in addition to those of the tool. */
+    default List<AutomatonAnalysis> analyses() {
+        return List.of();
+    }
+
     /** Languages for behaviours; no two guests of a run may have the same word for one. */
     default List<BehaviourLanguage> languages() {
         return List.of();

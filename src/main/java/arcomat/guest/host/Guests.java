@@ -1,6 +1,7 @@
 package arcomat.guest.host;
 
 import arcomat.check.LawBook;
+import arcomat.guest.AutomatonAnalysis;
 import arcomat.guest.BehaviourLanguage;
 
 import java.util.List;
@@ -10,14 +11,27 @@ import java.util.Optional;
  * Who is there besides the tool itself.
  *
  * @param laws the tool's and theirs
+ * @param questions about automata, besides the tool's
  * @param languages that behaviours may be written in, besides automata and tables
  */
-public record Guests(LawBook laws, List<Language> languages) {
+public record Guests(LawBook laws, List<Question> questions, List<Language> languages) {
     /** Nobody. */
-    public static final Guests NONE = new Guests(LawBook.OWN, List.of());
+    public static final Guests NONE = new Guests(LawBook.OWN, List.of(), List.of());
 
     public Guests {
+        questions = List.copyOf(questions);
         languages = List.copyOf(languages);
+    }
+
+    /**
+     * An analysis with the name of its guest.
+     *
+     * @param codes what the analysis said that it may find, once
+     */
+    public record Question(String guest, List<String> codes, AutomatonAnalysis analysis) {
+        public Question {
+            codes = List.copyOf(codes);
+        }
     }
 
     /**

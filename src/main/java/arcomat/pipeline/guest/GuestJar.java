@@ -5,6 +5,7 @@ import arcomat.check.law.Law;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
 import arcomat.guest.host.Guests.Language;
+import arcomat.guest.host.Guests.Question;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Sha256;
@@ -37,7 +38,7 @@ import java.util.stream.Stream;
  */
 record GuestJar(String path, URLClassLoader loader, String identity) {
     /** What a guest brings. */
-    record Arrival(GuestLaws laws, List<Language> languages) {}
+    record Arrival(GuestLaws laws, List<Question> questions, List<Language> languages) {}
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
@@ -145,16 +146,25 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     path, name);
         }
         List<Language> languages = languages(name, guest.languages());
-        return new Arrival(laws(name, guest.laws(), languages), languages);
+        List<Question> questions =
+                guest.analyses().stream()
+                        .map(each -> new Question(name, each.codes(), each))
+                        .toList();
+        List<String> others =
+                Stream.concat(
+                                languages.stream().map(Language::codes),
+                                questions.stream().map(Question::codes))
+                        .flatMap(List::stream)
+                        .toList();
+        return new Arrival(laws(name, guest.laws(), others), questions, languages);
     }
 
-    private GuestLaws laws(String name, List<Law> laws, List<Language> languages) throws WrongUse {
-        List<String> others = languages.stream().flatMap(each -> each.codes().stream()).toList();
+    private GuestLaws laws(String name, List<Law> laws, List<String> others) throws WrongUse {
         GuestLaws all = new GuestLaws(name, identity, laws, others, this::page);
         for (String code : all.codes()) {
             if (!CODE.matcher(code).matches()) {
                 throw new WrongUse(
-                        "guest '%s' has a law with the code '%s'; the code of a guest has two to"
+                        "guest '%s' has findings with the code '%s'; the code of a guest has two to"
                                 + " eight capital letters, other than ARC, and four digits",
                         name, code);
             }

@@ -4,6 +4,7 @@ import arcomat.check.LawBook;
 import arcomat.check.guest.GuestLaws;
 import arcomat.guest.host.Guests;
 import arcomat.guest.host.Guests.Language;
+import arcomat.guest.host.Guests.Question;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -25,16 +26,18 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
     @Override
     public Guests run(Session session) throws WrongUse {
         List<GuestLaws> laws = new ArrayList<>();
+        List<Question> questions = new ArrayList<>();
         List<Language> languages = new ArrayList<>();
         for (String path : paths) {
             for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
                 laws.add(each.laws());
+                questions.addAll(each.questions());
                 languages.addAll(each.languages());
             }
         }
         requireDifferent(laws);
         requireWords(languages);
-        return new Guests(LawBook.of(laws), languages);
+        return new Guests(LawBook.of(laws), questions, languages);
     }
 
     /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
@@ -50,7 +53,7 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                 String other = owners.put(code, guest.guest());
                 if (other != null) {
                     throw new WrongUse(
-                            "the code %s is that of two laws, of guest '%s' and of guest '%s';"
+                            "the code %s is that of two findings, of guest '%s' and of guest '%s';"
                                     + " leave one of them out",
                             code, other, guest.guest());
                 }
