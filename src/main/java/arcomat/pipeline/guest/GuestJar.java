@@ -4,6 +4,8 @@ import arcomat.check.guest.GuestLaws;
 import arcomat.check.law.Law;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
+import arcomat.guest.Importer;
+import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
@@ -37,7 +39,7 @@ import java.util.stream.Stream;
  */
 record GuestJar(String path, URLClassLoader loader, String identity) {
     /** What a guest brings. */
-    record Arrival(GuestLaws laws, List<Language> languages) {}
+    record Arrival(GuestLaws laws, List<Language> languages, List<Kind> kinds) {}
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
@@ -145,11 +147,17 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     path, name);
         }
         List<Language> languages = languages(name, guest.languages());
-        return new Arrival(laws(name, guest.laws(), languages), languages);
+        List<Kind> kinds = kinds(name, guest.importers());
+        return new Arrival(laws(name, guest.laws(), languages, kinds), languages, kinds);
     }
 
-    private GuestLaws laws(String name, List<Law> laws, List<Language> languages) throws WrongUse {
-        List<String> others = languages.stream().flatMap(each -> each.codes().stream()).toList();
+    private GuestLaws laws(String name, List<Law> laws, List<Language> languages, List<Kind> kinds)
+            throws WrongUse {
+        List<String> others =
+                Stream.concat(
+                                languages.stream().flatMap(each -> each.codes().stream()),
+                                kinds.stream().flatMap(each -> each.codes().stream()))
+                        .toList();
         GuestLaws all = new GuestLaws(name, identity, laws, others, this::page);
         for (String code : all.codes()) {
             if (!CODE.matcher(code).matches()) {
@@ -176,6 +184,29 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
             languages.add(new Language(name, keyword, each.codes(), each));
         }
         return languages;
+    }
+
+    private static List<Kind> kinds(String name, List<Importer> brought) throws WrongUse {
+        List<Kind> kinds = new ArrayList<>();
+        for (Importer each : brought) {
+            String word = each.kind();
+            if (!NAME.matcher(word).matches()) {
+                throw new WrongUse(
+                        "guest '%s' imports what it calls '%s'; a kind has letters, digits, dots"
+                                + " and hyphens, 40 at most",
+                        name, word);
+            }
+            Kind kind = new Kind(name, word, each.endings(), each.codes(), each);
+            if (kind.endings().isEmpty()
+                    || !kind.endings().stream().allMatch(ending -> ending.matches("\\.\\w+"))) {
+                throw new WrongUse(
+                        "guest '%s' does not say how files of kind '%s' end; an ending is a dot and"
+                                + " letters",
+                        name, word);
+            }
+            kinds.add(kind);
+        }
+        return kinds;
     }
 
     /** What the guest says about a code of its own. */
