@@ -21,9 +21,9 @@ public interface Importer {
     /**
      * Reads the files of one folder, in the order of their paths.
      *
-     * @param conversion takes the models, and what is wrong with the originals
+     * @param transcription takes the models, and what is wrong with the originals
      */
-    void read(List<Original> originals, Conversion conversion);
+    void read(List<Original> originals, Transcription transcription);
 
     /**
      * A file of the other language.

@@ -1,8 +1,8 @@
 package arcomat.pipeline.importing;
 
 import arcomat.check.guest.GuestThread;
-import arcomat.guest.Conversion;
 import arcomat.guest.Importer.Original;
+import arcomat.guest.Transcription;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
@@ -121,11 +121,13 @@ public record ImportModels(String kind, String folder, String out, boolean overw
     }
 
     private static ImportedFiles converted(Kind known, List<Original> originals) {
-        Conversion conversion = new Conversion();
+        Transcription transcription = new Transcription();
         try {
             new GuestThread(known.guest(), LIMIT)
-                    .call(Executors.callable(() -> known.importer().read(originals, conversion)));
-            return ImportedFiles.of(known, conversion);
+                    .call(
+                            Executors.callable(
+                                    () -> known.importer().read(originals, transcription)));
+            return ImportedFiles.of(known, transcription);
         } catch (ExecutionException e) {
             return ImportedFiles.failed(
                     known, originals.get(0).file(), String.valueOf(e.getCause()));

@@ -1,8 +1,8 @@
 package arcomat.pipeline.importing;
 
-import arcomat.guest.Conversion;
-import arcomat.guest.Conversion.Finding;
-import arcomat.guest.Conversion.Written;
+import arcomat.guest.Transcription;
+import arcomat.guest.Transcription.Finding;
+import arcomat.guest.Transcription.Written;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.source.Diagnostic;
@@ -38,13 +38,13 @@ record ImportedFiles(Map<String, String> texts, List<Diagnostic> findings) {
                 Map.of(), List.of(Diagnostic.error(FAILED, first.span(0, 0), message)));
     }
 
-    static ImportedFiles of(Kind kind, Conversion conversion) {
+    static ImportedFiles of(Kind kind, Transcription transcription) {
         Map<String, String> texts = new LinkedHashMap<>();
         List<Diagnostic> findings = new ArrayList<>();
-        for (Finding each : conversion.findings()) {
+        for (Finding each : transcription.findings()) {
             findings.add(finding(kind, each));
         }
-        for (Written file : conversion.files()) {
+        for (Written file : transcription.files()) {
             Optional<String> fault = fault(file, texts);
             if (fault.isPresent()) {
                 findings.add(wrong(kind, file, fault.get()));

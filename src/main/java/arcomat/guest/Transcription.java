@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** What came of models in another language: Arcomat's files, and findings in the originals. */
-public final class Conversion {
+public final class Transcription {
     private final List<Written> files = new ArrayList<>();
     private final List<Finding> findings = new ArrayList<>();
 
@@ -31,7 +31,7 @@ public final class Conversion {
      * @param path in the folder that is written, with forward slashes
      * @param text of a model, a class diagram or a stream test, in any layout
      */
-    public Conversion write(SourceFile original, String path, String text) {
+    public Transcription write(SourceFile original, String path, String text) {
         files.add(new Written(original, path, text));
         return this;
     }
@@ -43,13 +43,13 @@ public final class Conversion {
      * @param message as those of the tool: it names the thing, says what to do, and begins with a
      *     small letter
      */
-    public Conversion missing(String code, Span place, String message) {
+    public Transcription missing(String code, Span place, String message) {
         findings.add(new Finding(code, true, place, message));
         return this;
     }
 
     /** Says what somebody has to know of what was converted: a warning. */
-    public Conversion note(String code, Span place, String message) {
+    public Transcription note(String code, Span place, String message) {
         findings.add(new Finding(code, false, place, message));
         return this;
     }
