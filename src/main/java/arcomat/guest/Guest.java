@@ -46,4 +46,9 @@ public interface Guest {
     default List<BehaviourLanguage> languages() {
         return List.of();
     }
+
+    /** Readers of other languages; no two guests of a run may have the same word for one. */
+    default List<Importer> importers() {
+        return List.of();
+    }
 }
