@@ -1,4 +1,6 @@
 // Begins.
 
 const stories = new Stories(JSON.parse(document.getElementById("data").textContent).stories);
+stories.address = new Address(stories);
 listenToKeys(stories);
+listenToPrinters(stories);

@@ -1,8 +1,10 @@
 // A run with all around it, and the list of runs where there are several.
 
 class Story {
-  constructor(data, colours) {
+  /** @param moved is told when another step or row is shown */
+  constructor(data, colours, moved) {
     Object.assign(this, data);
+    this.moved = moved;
     this.tracks = data.tracks.map((track) => new Track(track));
     this.flaws.sort((one, other) => one.at - other.at);
     this.cursor = this.flaws.length > 0 ? this.flaws[0].at : 0;
@@ -24,7 +26,8 @@ class Story {
       this.timeline = new Timeline(this, this.colours, { go, select: (track) => this.select(track) });
       this.moment = new Moment(this, this.colours, go);
       this.search = new Search(this, (steps) => this.found(steps), go);
-      parts.push(this.toolbar(), this.timeline.element, element("div", { class: "beside" }, this.moment.element, this.pictures.element));
+      this.paper = new Paper(this);
+      parts.push(this.toolbar(), this.timeline.element, this.paper.element, element("div", { class: "beside" }, this.moment.element, this.pictures.element));
     } else {
       parts.push(this.pictures.element);
     }
@@ -79,6 +82,7 @@ class Story {
     this.pictures.show(this.cursor);
     this.timeline.follow();
     this.search.tell();
+    this.moved();
   }
 
   /** To where the chosen track changes, or any of them if none is chosen. */
@@ -103,6 +107,7 @@ class Story {
   select(track) {
     this.selected = track;
     this.timeline.mark(track);
+    this.moved();
   }
 
   selectNext(direction) {
@@ -170,7 +175,7 @@ class Stories {
       return;
     }
     this.index = index;
-    this.current = new Story(this.data[index], this.colours);
+    this.current = new Story(this.data[index], this.colours, () => this.moved());
     this.current.show(this.place);
     if (this.items) {
       this.items.forEach((item, each) => item.setAttribute("aria-current", each === index));
@@ -179,6 +184,13 @@ class Stories {
     const timeline = document.getElementById("timeline");
     if (timeline !== null) {
       timeline.focus({ preventScroll: true });
+    }
+  }
+
+  /** Nobody is told before there is an address. */
+  moved() {
+    if (this.address) {
+      this.address.follow(this.current);
     }
   }
 

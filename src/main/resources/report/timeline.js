@@ -89,25 +89,9 @@ class Timeline {
 
   drawRuler() {
     const view = this.view;
-    const shapes = [];
-    const tick = niceDistance(64 / view.pixelsPerStep);
-    for (let step = Math.ceil(view.from / tick) * tick; step < view.from + view.span; step += tick) {
-      const x = view.x(step + 0.5);
-      shapes.push(shape("path", { class: "tick", d: `M${round(x)} 20v5` }));
-      const label = this.story.label(step);
-      const half = (label.length * LETTER) / 2;
-      shapes.push(shape("text", { x: round(clamp(x, half, view.width - half)), y: 15 }, label));
-    }
     const marks = thinned(this.found, view, view.from, view.from + view.span);
     const path = marks.map((x) => `M${round(x - 3)} 25h6l-3 -5z`).join("");
-    shapes.push(shape("path", { class: "found", d: path }));
-    for (const flaw of this.story.flaws) {
-      if (flaw.at >= view.from && flaw.at < view.from + view.span) {
-        const x = view.x(flaw.at + 0.5);
-        shapes.push(shape("path", { class: "flaw-mark", d: `M${round(x - 5)} 17h10l-5 8z` }));
-      }
-    }
-    this.ruler.replaceChildren(...shapes);
+    this.ruler.replaceChildren(...rulerShapes(view, this.story), shape("path", { class: "found", d: path }));
   }
 
   drawOverview() {
@@ -189,6 +173,27 @@ class Timeline {
     this.view.show(step - this.view.span / 2, this.view.span);
     this.actions.go(clamp(Math.floor(step), 0, this.view.length - 1));
   }
+}
+
+/** The numbers of steps, and where flaws are. */
+function rulerShapes(view, story) {
+  const shapes = [];
+  const end = Math.min(view.from + view.span, view.length);
+  const tick = niceDistance(64 / view.pixelsPerStep);
+  for (let step = Math.ceil(view.from / tick) * tick; step < end; step += tick) {
+    const x = view.x(step + 0.5);
+    shapes.push(shape("path", { class: "tick", d: `M${round(x)} 20v5` }));
+    const label = story.label(step);
+    const half = (label.length * LETTER) / 2;
+    shapes.push(shape("text", { x: round(clamp(x, half, view.width - half)), y: 15 }, label));
+  }
+  for (const flaw of story.flaws) {
+    if (flaw.at >= view.from && flaw.at < end) {
+      const x = view.x(flaw.at + 0.5);
+      shapes.push(shape("path", { class: "flaw-mark", d: `M${round(x - 5)} 17h10l-5 8z` }));
+    }
+  }
+  return shapes;
 }
 
 /** Calls back with every place that a pointer that is held down comes over. */

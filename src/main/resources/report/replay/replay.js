@@ -28,9 +28,14 @@ const KEYS = {
   "+": () => player.faster(1),
   "-": () => player.faster(-1),
 };
+
+/** A button that was clicked keeps the focus: only what it does with a key itself is left to it, and the choice of speeds. */
+function isOurs(event) {
+  const where = event.target;
+  return where.id !== "speed" && !(event.key === " " && where.closest("button, summary, a"));
+}
 document.addEventListener("keydown", (event) => {
-  const isOurs = event.target === document.body || event.target.id === "moment";
-  if (isOurs && Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+  if (isOurs(event) && Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
     KEYS[event.key](event.shiftKey);
     event.preventDefault();
   }

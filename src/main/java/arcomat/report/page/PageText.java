@@ -21,12 +21,14 @@ public final class PageText {
                     "pictures.js",
                     "remarks.js",
                     "search.js",
+                    "paper.js",
                     "stories.js",
+                    "address.js",
                     "keys.js",
                     "main.js");
 
     private static final List<String> STYLES =
-            List.of("colours.css", "page.css", "timeline.css", "moment.css");
+            List.of("colours.css", "page.css", "timeline.css", "moment.css", "paper.css");
 
     private PageText() {}
 

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
 
 import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -25,6 +28,8 @@ class PageBrowserTest extends BrowserTest {
         tests.put("hostile texts stay texts", this::hostileTextsStayTexts);
         tests.put("texts can be selected", this::textsCanBeSelected);
         tests.put("100,000 slices", this::longRuns);
+        tests.put("the address says what is shown", this::theAddressSaysWhatIsShown);
+        tests.put("all of a run is printed", this::allOfARunIsPrinted);
         return tests;
     }
 
@@ -82,6 +87,62 @@ class PageBrowserTest extends BrowserTest {
         browser.press("/");
         browser.press("backing", Keys.ENTER);
         assertThat(step()).isEqualTo("5");
+    }
+
+    private void theAddressSaysWhatIsShown() throws IOException {
+        open(SamplePages.small());
+        String page = folder.resolve("index.html").toUri().toString();
+        browser.press(Keys.ARROW_DOWN, Keys.ARROW_RIGHT);
+        browser.await(() -> address().endsWith("#8/cmd"));
+        browser.press(Keys.ESCAPE);
+        browser.await(() -> address().endsWith("#8"));
+        browser.open(page + "?again#3/state", "#story > *");
+        assertThat(step()).isEqualTo("3");
+        assertThat(browser.text(".track.selected .name")).isEqualTo("state");
+        browser.run("location.hash = '#5'");
+        browser.await(() -> step().equals("5"));
+        browser.open(page + "?third#99999/nobody/%", "#story > *");
+        assertThat(step()).as("what there is none of").isEqualTo("9");
+
+        open(SamplePages.hostile());
+        String hostile = SamplePages.HOSTILE.get(3);
+        browser.press(Keys.HOME, "]", "]", "]");
+        browser.press(Keys.ARROW_RIGHT);
+        String encoded = URLEncoder.encode(hostile, StandardCharsets.UTF_8).replace("%27", "'");
+        browser.await(() -> address().endsWith("#2//" + encoded));
+        browser.open(page + "?fourth#" + address().split("#")[1], "#story > *");
+        assertThat(browser.text("#story h2")).isEqualTo(hostile);
+        assertThat(step()).isEqualTo("2");
+    }
+
+    private String address() {
+        return (String) browser.run("return location.href");
+    }
+
+    /** What a printer is given: the pieces are drawn when somebody prints. */
+    private void allOfARunIsPrinted() throws IOException {
+        open(SamplePages.large(45, 3));
+        browser.run("window.dispatchEvent(new Event('beforeprint'))");
+        browser.print();
+        assertThat(browser.find("#timeline").isDisplayed()).isFalse();
+        assertThat(browser.findAll(".piece")).hasSize(3).allMatch(WebElement::isDisplayed);
+        assertThat(browser.text(".piece:first-child .ruler")).contains("0", "10");
+        assertThat(browser.text(".piece:last-child .ruler")).contains("40").doesNotContain("50");
+        assertThat(browser.text(".rows")).contains("…");
+        assertThat(browser.findAll(".piece .lane text"))
+                .isNotEmpty()
+                .noneMatch(each -> each.getText().contains("…"));
+        assertThat(browser.findAll(".piece:last-child .lane *")).isNotEmpty();
+        browser.picture("printed");
+
+        open(SamplePages.large(5000, 3));
+        browser.run("location.hash = '#4999'");
+        browser.await(() -> step().equals("4999"));
+        browser.run("window.dispatchEvent(new Event('beforeprint'))");
+        browser.print();
+        assertThat(browser.text(".paper-run p"))
+                .isEqualTo("slice 4600 to 4999 of 0–4999, around 4999");
+        assertThat(browser.findAll(".piece")).hasSize(20);
     }
 
     private void thePictureFollows() throws IOException {

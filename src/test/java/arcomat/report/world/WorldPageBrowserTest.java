@@ -64,6 +64,10 @@ class WorldPageBrowserTest extends BrowserTest {
                         .orElseThrow();
         backing.click();
         assertThat(displays()).containsExactly("backing", "waiting");
+        String clock = browser.text("#clock");
+        browser.press(Keys.ARROW_RIGHT);
+        assertThat(browser.text("#clock")).as("keys work after a click").isNotEqualTo(clock);
+        browser.press(Keys.ARROW_LEFT);
         assertThat(browser.findAll(".floor .ray")).hasSize(2);
         browser.picture("world");
     }
@@ -106,6 +110,8 @@ class WorldPageBrowserTest extends BrowserTest {
         follow.click();
         assertThat(browser.find(".floor").getDomAttribute("viewBox")).isNotEqualTo(all);
         assertThat(follow.getDomAttribute("aria-pressed")).isEqualTo("true");
+        browser.press(Keys.END);
+        assertThat(browser.text("#clock")).as("keys work after a click").startsWith("22.0 s");
         follow.click();
         assertThat(browser.find(".floor").getDomAttribute("viewBox")).isEqualTo(all);
     }
