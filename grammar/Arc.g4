@@ -52,6 +52,9 @@ element
     | invariant
     | behaviour
     | javaPart
+    | features
+    | constraint
+    | variation
     | variables                                                             // last: begins with any type
     ;
 
@@ -112,6 +115,24 @@ invariantBody
 variables
     : 'var' type variable (',' variable)* ';'                               # markedVariables
     | plainType variable (',' variable)* ';'                                # plainVariables
+    ;
+
+// What there are several kinds of a component for, and what each kind has.
+features
+    : 'feature' name (',' name)* ';'
+    ;
+
+constraint
+    : 'constraint' expression ';'
+    ;
+
+variation
+    : 'varif' '(' expression ')' '{' element* '}' ('else' alternative)?
+    ;
+
+alternative
+    : variation
+    | '{' element* '}'
     ;
 
 javaPart

@@ -48,7 +48,7 @@ public final class Lowering {
     }
 
     private Model model() {
-        for (ComponentSymbol component : workspace.components()) {
+        for (ComponentSymbol component : workspace.meantComponents()) {
             if (!isGenericInside(component)) {
                 components.lower(Instantiation.plain(component));
             }

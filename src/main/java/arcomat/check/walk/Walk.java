@@ -53,7 +53,7 @@ public final class Walk {
         List<Consumer<Walk>> steps = new ArrayList<>();
         steps.add(walk -> walk.workspace(workspace));
         for (ComponentSymbol each : workspace.topLevelComponents()) {
-            add(wanted, each.unit(), (walk, at) -> walk.components.component(each, at), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.component(each, at), steps);
         }
         for (AutomatonSymbol each : workspace.bareAutomata()) {
             add(wanted, each.unit(), (walk, at) -> walk.behaviours.automaton(each, at), steps);
@@ -109,6 +109,20 @@ public final class Walk {
             for (Listener<Check.OnNames> each : listeners.onNames) {
                 each.check().check(names, context, each.findings());
             }
+        }
+    }
+
+    /** What has features is what its configurations are, each by itself. */
+    private void component(ComponentSymbol component, Context context) {
+        if (component.declaration().isOpen()) {
+            ConfigurationFindings found = new ConfigurationFindings(listeners.findings());
+            for (ComponentSymbol each : workspace.configurations(component)) {
+                components.component(each, context);
+                found.in(each);
+            }
+            found.tell();
+        } else {
+            components.component(component, context);
         }
     }
 

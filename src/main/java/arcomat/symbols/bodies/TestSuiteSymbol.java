@@ -4,6 +4,7 @@ import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.names.ComponentDeclaration;
+import arcomat.symbols.names.Configuration;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.UnitScope;
@@ -29,7 +30,16 @@ public final class TestSuiteSymbol {
             Function<ComponentDeclaration, ComponentSymbol> components) {
         this.scope = scope;
         this.node = node;
-        this.component = new Lazy<>(() -> scope.component(node.component()).map(components));
+        this.component =
+                new Lazy<>(
+                        () ->
+                                scope.component(node.component())
+                                        .map(
+                                                named ->
+                                                        named.chosen(
+                                                                node.arguments(),
+                                                                Configuration.NONE))
+                                        .map(components));
     }
 
     public TestSuite node() {
@@ -52,7 +62,10 @@ public final class TestSuiteSymbol {
     /** The arguments for the component, typed against its parameters. */
     public List<GivenArgument> arguments() {
         return GivenArgument.of(
-                node.arguments(),
+                scope.component(node.component())
+                        .found()
+                        .map(named -> named.withoutFeatures(node.arguments()))
+                        .orElse(node.arguments()),
                 component().found().map(ComponentSymbol::parameters).orElse(List.of()),
                 type -> type,
                 (value, expected) -> ExpressionTyping.message(value, emptyScope(), expected));

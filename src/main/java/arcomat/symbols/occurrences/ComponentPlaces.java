@@ -264,6 +264,17 @@ final class ComponentPlaces implements Element.Visitor {
     @Override
     public void invariant(Element.Invariant invariant) {}
 
+    /** Features have no symbols. */
+    @Override
+    public void features(Element.Features features) {}
+
+    @Override
+    public void constraint(Element.Constraint constraint) {}
+
+    /** What it holds stands among the elements. */
+    @Override
+    public void variation(Element.Variation variation) {}
+
     /** Java's names are nobody's here. */
     @Override
     public void javaPart(Element.JavaPart part) {}

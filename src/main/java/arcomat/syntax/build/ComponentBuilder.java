@@ -210,6 +210,32 @@ final class ComponentBuilder extends TreeBuilder<Element> {
     }
 
     @Override
+    public Element visitFeatures(ArcomatParser.FeaturesContext context) {
+        return new Element.Features(span(context), phrases.names(context.name()));
+    }
+
+    @Override
+    public Element visitConstraint(ArcomatParser.ConstraintContext context) {
+        return new Element.Constraint(
+                span(context), phrases.expressions.build(context.expression()));
+    }
+
+    @Override
+    public Element visitVariation(ArcomatParser.VariationContext context) {
+        return new Element.Variation(
+                span(context),
+                phrases.expressions.build(context.expression()),
+                buildAll(context.element()),
+                context.alternative() == null ? List.of() : alternative(context.alternative()));
+    }
+
+    private List<Element> alternative(ArcomatParser.AlternativeContext context) {
+        return context.variation() == null
+                ? buildAll(context.element())
+                : List.of(visitVariation(context.variation()));
+    }
+
+    @Override
     public Element visitJavaPart(ArcomatParser.JavaPartContext context) {
         return new Element.JavaPart(
                 span(context),
