@@ -97,6 +97,9 @@ final class AutomatonText {
             if (draw.chance(Features.UNBOUNDED, 15)) {
                 type = draw.one("Integer", "String");
             }
+            if (draw.chance(Features.NUMBER_TYPES, 15)) {
+                type = draw.one("byte", "short", "char", "char", "Long", "float");
+            }
             String first = type.equals("Integer[-1..3]") ? "-1" : draw.one(Plug.messages(type));
             locals.add(new Local("n", type));
             if (beside) {
@@ -259,7 +262,7 @@ final class AutomatonText {
                 Plug.isNumber(type)
                         ? draw.one("<", "<=", ">", ">=", "==", "!=")
                         : draw.one("==", "!=");
-        boolean calculated = type.startsWith("Integer") && draw.chance(15);
+        boolean calculated = Plug.isWhole(type) && draw.chance(15);
         if (calculated && draw.chance(30)) {
             return left + " + 1 < " + left;
         }
@@ -292,9 +295,9 @@ final class AutomatonText {
             return draw.one(values(type));
         }
         String source = draw.one(sources);
-        boolean number = type.startsWith("Integer");
-        if (number && draw.chance(Features.ERRORS, 25)) {
-            return draw.chance(20) ? "2 / " + source : source + draw.one(" + 1", " - 1");
+        if (Plug.isWhole(type) && draw.chance(Features.ERRORS, 25)) {
+            return Plug.calculated(
+                    type, draw.chance(20) ? "2 / " + source : source + draw.one(" + 1", " - 1"));
         }
         return source;
     }

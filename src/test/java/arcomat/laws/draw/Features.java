@@ -15,6 +15,8 @@ public enum Features {
     EVENTS,
     /** Numbers without a range, texts, reals. */
     UNBOUNDED,
+    /** Java's other number types, and characters. */
+    NUMBER_TYPES,
     /** Ranges that may be left, divisions, completion error. */
     ERRORS,
     /** Components that are made of parts. */
