@@ -8,12 +8,19 @@ import arcomat.tree.Variable;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Whether what parses as statements is Java all the same: it calls methods, makes objects, asks for
  * their classes, or has types that only Java has.
  */
 final class JavaWords implements Statement.Cases<Boolean> {
+    /** Of expressions. */
+    private static final Set<Class<? extends Expression>> FORMS =
+            Set.of(
+                    Expression.Call.class,
+                    Expression.JavaExpression.class,
+                    Expression.InstanceOf.class);
 
     @Override
     public Boolean sequence(Statement.Sequence sequence) {
@@ -53,9 +60,7 @@ final class JavaWords implements Statement.Cases<Boolean> {
     }
 
     private static boolean isIn(Expression expression) {
-        return expression instanceof Expression.Call
-                || expression instanceof Expression.JavaExpression
-                || expression instanceof Expression.InstanceOf
+        return FORMS.contains(expression.getClass())
                 || expression.operands().stream().anyMatch(JavaWords::isIn);
     }
 }
