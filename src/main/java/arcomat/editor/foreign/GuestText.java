@@ -7,7 +7,7 @@ import arcomat.guest.BehaviourLanguage.Written;
 import arcomat.guest.host.Guests.Language;
 import arcomat.source.Span;
 import arcomat.syntax.Parser;
-import arcomat.syntax.Words;
+import arcomat.syntax.WrittenWords;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 
@@ -62,7 +62,7 @@ public record GuestText(Language language, Behaviour.Foreign behaviour) {
     public List<Span> words() {
         return Stream.concat(
                         Stream.of(behaviour.keyword().span()),
-                        Words.in(body()).stream()
+                        WrittenWords.in(body()).stream()
                                 .filter(each -> language.words().containsKey(each.text())))
                 .toList();
     }

@@ -7,13 +7,13 @@ import org.antlr.v4.runtime.Token;
 import java.util.List;
 
 /** The words in a text: what could be a name or a keyword, without comments and strings. */
-public final class Words {
-    private Words() {}
+public final class WrittenWords {
+    private WrittenWords() {}
 
     /** Those in a part of a file, in the order of the text. */
     public static List<Span> in(Span part) {
         return Reading.tokens(part.file()).getTokens().stream()
-                .filter(Words::isWord)
+                .filter(WrittenWords::isWord)
                 .map(each -> part.file().span(each.getStartIndex(), each.getStopIndex() + 1))
                 .filter(part::isAround)
                 .toList();
