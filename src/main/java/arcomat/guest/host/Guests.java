@@ -5,8 +5,11 @@ import arcomat.guest.AutomatonAnalysis;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Importer;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Who is there besides the tool itself.
@@ -43,11 +46,17 @@ public record Guests(
      *
      * @param keyword what the language said it is, once
      * @param codes what it said that it may find
+     * @param words of its texts, in alphabetical order, with what each says
      */
     public record Language(
-            String guest, String keyword, List<String> codes, BehaviourLanguage translator) {
+            String guest,
+            String keyword,
+            List<String> codes,
+            SortedMap<String, String> words,
+            BehaviourLanguage translator) {
         public Language {
             codes = List.copyOf(codes);
+            words = Collections.unmodifiableSortedMap(new TreeMap<>(words));
         }
     }
 

@@ -28,6 +28,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.jar.JarFile;
 import java.util.regex.Pattern;
@@ -190,7 +191,8 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                                 + " Arcomat's own words",
                         name, keyword);
             }
-            languages.add(new Language(name, keyword, each.codes(), each));
+            languages.add(
+                    new Language(name, keyword, each.codes(), new TreeMap<>(each.words()), each));
         }
         return languages;
     }
