@@ -51,7 +51,7 @@ element
     | autoinstantiate
     | invariant
     | behaviour
-    | javaPart
+    | computation
     | features
     | constraint
     | variation
@@ -135,8 +135,10 @@ alternative
     | '{' element* '}'
     ;
 
-javaPart
-    : keyword = ('compute' | 'init') name? javaBlock
+// Statements where they are some; the tools of 2017 had Java there.
+computation
+    : stereotypes? keyword = 'compute' name? (statements | javaBlock)
+    | keyword = 'init' name? (statements | javaBlock)
     ;
 
 implementation
