@@ -40,12 +40,12 @@ function isState(name) {
 
 /**
  * Elements are named by their kind and which one of it: "state 2". Transitions between the same
- * states share an arrow, "2 5"; the arrow of a beginning is "initial 0".
+ * states share an arrow, "2 5", and those into one state that say the same a label; the arrow of a beginning is "initial 0".
  */
 function mark(svg, elements, style) {
   for (const name of elements) {
     const [kind, which] = name.split(" ");
-    const selectors = [`[data-${kind}="${CSS.escape(which)}"]`];
+    const selectors = [`[data-${kind}~="${CSS.escape(which)}"]`];
     if (kind === "transition") {
       selectors.push(`[data-arrow~="${CSS.escape(which)}"]:not([data-arrow^="initial"])`);
     } else if (kind === "initial") {

@@ -51,7 +51,7 @@ class ArchitectureTest {
                     Map.entry("syntax", row("tree", "org.antlr")),
                     Map.entry("symbols", row("tree")),
                     Map.entry("check", row("symbols tree")),
-                    Map.entry("guest", row("check tree")),
+                    Map.entry("guest", row("check tree model")),
                     Map.entry("lower", row("model symbols tree")),
                     Map.entry("semantics", row("model rt")),
                     Map.entry(

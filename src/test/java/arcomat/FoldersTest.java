@@ -33,7 +33,7 @@ class FoldersTest {
 
     /** The rooms that are seen through the door for guests: {@code guests/api} packs them. */
     private static final List<String> API =
-            List.of("guest", "check.law", "symbols", "tree", "source", "graph");
+            List.of("guest", "check.law", "symbols", "tree", "model", "source", "graph");
 
     /** What a person takes in at a glance. */
     private static final int FILES = 30;

@@ -16,9 +16,10 @@ import arcomat.check.structure.connector.ConnectorLaws;
 import arcomat.check.structure.reference.ReferenceLaws;
 import arcomat.check.tests.TestLaws;
 
-import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -38,7 +39,7 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
 
     /** The laws of the tool and of guests with codes of their own. */
     public static LawBook of(List<GuestLaws> guests) {
-        List<Law> all = new ArrayList<>();
+        Set<String> codes = new HashSet<>();
         List<Law> own =
                 Stream.of(
                                 ComponentLaws.LAWS,
@@ -51,13 +52,13 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                                 ItemLaws.LAWS,
                                 TotalLaws.LAWS,
                                 RefinementLaws.LAWS,
-                                StereotypeLaws.all(() -> all),
+                                StereotypeLaws.all(codes::contains),
                                 DiagramLaws.LAWS,
                                 TestLaws.LAWS)
                         .flatMap(List::stream)
                         .toList();
-        all.addAll(own);
-        guests.forEach(guest -> all.addAll(guest.laws()));
+        own.forEach(law -> codes.add(law.code()));
+        guests.forEach(guest -> codes.addAll(guest.codes()));
         return new LawBook(own, guests);
     }
 
@@ -76,7 +77,7 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
     }
 
     private static String noPage(GuestLaws guest, String code) {
-        return "# %s A law of guest '%s'\n\nThe guest has no page about it.\n"
+        return "# %s A finding of guest '%s'\n\nThe guest has no page about it.\n"
                 .formatted(code, guest.guest());
     }
 

@@ -10,6 +10,7 @@ import arcomat.cli.command.model.CheckCommand;
 import arcomat.cli.command.model.DiagramCommand;
 import arcomat.cli.command.model.ExplainCommand;
 import arcomat.cli.command.model.FormatCommand;
+import arcomat.cli.command.model.ImportCommand;
 import arcomat.cli.command.model.NewCommand;
 import arcomat.cli.command.proof.AnalyzeCommand;
 import arcomat.cli.command.proof.ContradictionsCommand;
@@ -50,6 +51,7 @@ final class Commands {
     Commands() {
         add("new", () -> new NewCommand());
         add("check", () -> new CheckCommand());
+        add("import", () -> new ImportCommand());
         add("watch", () -> new WatchCommand());
         add("format", () -> new FormatCommand());
         add("generate", () -> new GenerateCommand());

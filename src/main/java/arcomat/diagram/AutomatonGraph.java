@@ -59,8 +59,12 @@ public final class AutomatonGraph {
                                     Mark.of("initial", String.valueOf(i), initial.span()),
                                     TransitionText.label(initial))));
         }
+        List<Meeting> meetings = meetings();
         nodes.addAll(nested(inOrderOfVisit(), 0));
-        edges.addAll(arrows());
+        for (Meeting each : meetings) {
+            add(each, nodes, edges);
+        }
+        edges.addAll(arrows(meetings));
         Node frame =
                 new Node(
                         Mark.of("frame", "", automaton.span()),
@@ -132,11 +136,75 @@ public final class AutomatonGraph {
         return order;
     }
 
+    /** Transitions into a state that say the same, out of several other ones. */
+    private record Meeting(int target, List<Integer> transitions) {
+        String name() {
+            return "into " + target + " " + transitions.get(0);
+        }
+    }
+
+    private List<Meeting> meetings() {
+        if (automaton.within().stream().anyMatch(within -> !within.isEmpty())) {
+            return List.of(); // they lead out of boxes, which has an order of its own
+        }
+        Map<List<Object>, List<Integer>> same = new LinkedHashMap<>();
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            Automaton.Transition each = automaton.transitions().get(i);
+            List<Graph.Line> label = TransitionText.label(each);
+            if (each.source() != each.target() && !label.isEmpty()) {
+                List<Highlights.Highlight> found =
+                        highlights.transitions().getOrDefault(i, List.of());
+                same.computeIfAbsent(List.of(each.target(), label, found), k -> new ArrayList<>())
+                        .add(i);
+            }
+        }
+        return same.values().stream()
+                .filter(this::comeFromSeveral)
+                .map(each -> new Meeting(automaton.transitions().get(each.get(0)).target(), each))
+                .toList();
+    }
+
+    private boolean comeFromSeveral(List<Integer> transitions) {
+        return transitions.stream()
+                        .map(each -> automaton.transitions().get(each).source())
+                        .distinct()
+                        .count()
+                > 1;
+    }
+
+    /** A junction in front of the state, to which each of them leads, and one arrow from there. */
+    private void add(Meeting meeting, List<Node> nodes, List<Edge> edges) {
+        Mark mark = Mark.unplaced("junction", meeting.name()).styled("start");
+        Node junction = Node.leaf(mark, Form.JUNCTION, List.of());
+        int before = 0;
+        while (!nodes.get(before).name().equals(state(meeting.target()))) {
+            before++;
+        }
+        nodes.add(before, junction);
+        for (int index : meeting.transitions()) {
+            Automaton.Transition each = automaton.transitions().get(index);
+            edges.add(arrow(List.of(index), state(each.source()), junction.name(), List.of()));
+        }
+        edges.add(
+                arrow(
+                        meeting.transitions(),
+                        junction.name(),
+                        state(meeting.target()),
+                        caption(meeting.transitions())));
+    }
+
     /** Transitions between the same states share an arrow, named by all of them. */
-    private List<Edge> arrows() {
+    private List<Edge> arrows(List<Meeting> meetings) {
+        Set<Integer> drawn =
+                meetings.stream()
+                        .flatMap(each -> each.transitions().stream())
+                        .collect(Collectors.toSet());
         Map<String, List<Integer>> shared = new LinkedHashMap<>();
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition each = automaton.transitions().get(i);
+            if (drawn.contains(i)) {
+                continue;
+            }
             shared.computeIfAbsent(each.source() + " " + each.target(), key -> new ArrayList<>())
                     .add(i);
         }
@@ -145,30 +213,45 @@ public final class AutomatonGraph {
 
     private Edge arrow(List<Integer> indices) {
         Automaton.Transition first = automaton.transitions().get(indices.get(0));
-        String name = indices.stream().map(String::valueOf).collect(Collectors.joining(" "));
         List<Graph.Caption> captions = new ArrayList<>();
-        indices.forEach(index -> captions.addAll(caption(index)));
+        indices.forEach(index -> captions.addAll(caption(List.of(index))));
+        return arrow(indices, state(first.source()), state(first.target()), captions);
+    }
+
+    private Edge arrow(
+            List<Integer> indices, String source, String target, List<Graph.Caption> captions) {
+        Automaton.Transition first = automaton.transitions().get(indices.get(0));
         // The captions tell the story; the arrow only shows the colour.
         List<Highlights.Highlight> found = new ArrayList<>();
         indices.forEach(i -> found.addAll(highlights.transitions().getOrDefault(i, List.of())));
         found.replaceAll(each -> new Highlights.Highlight(each.kind(), each.tag(), ""));
         return new Edge(
-                Highlights.apply(Mark.of("arrow", name, first.span()), found, "edge", "edge-"),
-                End.of(state(first.source())),
-                End.of(state(first.target())),
+                Highlights.apply(
+                        Mark.of("arrow", name(indices), first.span()), found, "edge", "edge-"),
+                End.of(source),
+                End.of(target),
                 captions);
+    }
+
+    private static String name(List<Integer> indices) {
+        return indices.stream().map(String::valueOf).collect(Collectors.joining(" "));
     }
 
     private static List<Graph.Caption> caption(Mark mark, List<Line> lines) {
         return lines.isEmpty() ? List.of() : List.of(new Graph.Caption(mark, lines));
     }
 
-    private List<Graph.Caption> caption(int index) {
-        Automaton.Transition transition = automaton.transitions().get(index);
-        String story = automaton.arrow(transition) + " " + TransitionText.full(transition);
-        List<Highlights.Highlight> found = highlights.transitions().getOrDefault(index, List.of());
-        Mark mark = Mark.of("transition", String.valueOf(index), transition.span()).telling(story);
-        List<Line> lines = new ArrayList<>(TransitionText.label(transition));
+    /** Of several transitions, what each of them says. */
+    private List<Graph.Caption> caption(List<Integer> indices) {
+        Automaton.Transition first = automaton.transitions().get(indices.get(0));
+        List<Highlights.Highlight> found =
+                highlights.transitions().getOrDefault(indices.get(0), List.of());
+        Mark mark = Mark.of("transition", name(indices), first.span());
+        for (int index : indices) {
+            Automaton.Transition each = automaton.transitions().get(index);
+            mark = mark.telling(automaton.arrow(each) + " " + TransitionText.full(each));
+        }
+        List<Line> lines = new ArrayList<>(TransitionText.label(first));
         lines.addAll(Highlights.tags(found));
         return caption(Highlights.apply(mark, found, "label", "label-"), lines);
     }

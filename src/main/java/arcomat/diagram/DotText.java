@@ -44,7 +44,7 @@ public final class DotText {
                     switch (node.form()) {
                         case BOX -> "";
                         case ROUND -> ", style=rounded";
-                        case DOT -> ", shape=point";
+                        case DOT, JUNCTION -> ", shape=point";
                         case CARD -> "";
                     };
             text.append(indent + key(node.name()) + " [label=" + label(node.lines()))

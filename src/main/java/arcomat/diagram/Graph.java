@@ -30,6 +30,8 @@ public record Graph(String title, List<Node> roots, Flow flow) {
         ROUND,
         /** A dot where an automaton begins. */
         DOT,
+        /** A small dot where edges meet to go on as one. */
+        JUNCTION,
         /** A rectangle with a title and, below a line, all plain lines. */
         CARD
     }

@@ -50,6 +50,9 @@ public final class LayeredLayout {
 
     static final double DOT = 11;
 
+    /** Where lines meet. */
+    static final double JUNCTION = 5.2;
+
     /** Labels without a text are ignored; this one is never shown. */
     private static final String LABEL = "label";
 
@@ -69,6 +72,9 @@ public final class LayeredLayout {
     final Map<Node, ElkNode> nodes = new IdentityHashMap<>();
     final Map<Graph.Port, ElkPort> ports = new IdentityHashMap<>();
     final Map<Edge, List<ElkEdge>> edges = new IdentityHashMap<>();
+
+    /** By junctions: there all edges to it end, and run side by side as one line. */
+    private final Map<Node, ElkPort> meetings = new IdentityHashMap<>();
 
     private final Direction direction;
 
@@ -161,6 +167,13 @@ public final class LayeredLayout {
         size(node, made);
         labels(node, made);
         node.ports().forEach(port -> add(port, made));
+        if (node.form() == Form.JUNCTION) {
+            ElkPort meeting = ElkGraphUtil.createPort(made);
+            meeting.setProperty(
+                    LayeredOptions.PORT_SIDE,
+                    direction == Direction.RIGHT ? PortSide.WEST : PortSide.NORTH);
+            meetings.put(node, meeting);
+        }
         made.setProperty(
                 LayeredOptions.PORT_LABELS_PLACEMENT,
                 outermost && node.isOpen()
@@ -189,8 +202,9 @@ public final class LayeredLayout {
      * A closed node has its title on top, and below it inputs on the left, outputs on the right.
      */
     private static void size(Node node, ElkNode made) {
-        if (node.form() == Form.DOT) {
-            made.setDimensions(DOT, DOT);
+        if (node.form() == Form.DOT || node.form() == Form.JUNCTION) {
+            double size = node.form() == Form.DOT ? DOT : JUNCTION;
+            made.setDimensions(size, size);
             return;
         }
         TextSize title = TextSize.ofLines(node.lines());
@@ -252,7 +266,7 @@ public final class LayeredLayout {
     private void connect(List<Edge> added, List<Node> children, Node owner, ElkNode holder) {
         for (Edge edge : added) {
             ElkConnectableShape source = end(edge.source(), children, owner);
-            ElkConnectableShape target = end(edge.target(), children, owner);
+            ElkConnectableShape target = target(edge.target(), children, owner);
             if (edge.source().node().isEmpty() && edge.target().node().isEmpty()) {
                 edges.put(edge, through(source, holder, target));
                 continue;
@@ -282,14 +296,13 @@ public final class LayeredLayout {
         return edge;
     }
 
+    private ElkConnectableShape target(Graph.End end, List<Node> children, Node owner) {
+        ElkPort meeting = meetings.get(node(end, children, owner));
+        return meeting != null ? meeting : end(end, children, owner);
+    }
+
     private ElkConnectableShape end(Graph.End end, List<Node> children, Node owner) {
-        Node node =
-                end.node().isEmpty()
-                        ? owner
-                        : children.stream()
-                                .filter(child -> child.name().equals(end.node().get()))
-                                .findFirst()
-                                .orElseThrow();
+        Node node = node(end, children, owner);
         if (end.port().isEmpty()) {
             return Objects.requireNonNull(nodes.get(node));
         }
@@ -299,5 +312,14 @@ public final class LayeredLayout {
                 .findFirst()
                 .map(ports::get)
                 .orElseThrow();
+    }
+
+    static Node node(Graph.End end, List<Node> children, Node owner) {
+        return end.node().isEmpty()
+                ? owner
+                : children.stream()
+                        .filter(child -> child.name().equals(end.node().get()))
+                        .findFirst()
+                        .orElseThrow();
     }
 }

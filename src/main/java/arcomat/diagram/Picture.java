@@ -59,8 +59,12 @@ public record Picture(String title, double width, double height, List<Element> e
         }
     }
 
-    /** A line through points, with an arrow head at its end. */
-    public record Arrow(List<Point> points) implements Shape {
+    /**
+     * A line through points.
+     *
+     * @param head whether there is an arrow head at its end
+     */
+    public record Arrow(List<Point> points, boolean head) implements Shape {
         public Arrow {
             points = List.copyOf(points);
         }

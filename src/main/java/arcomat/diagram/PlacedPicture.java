@@ -9,6 +9,7 @@ import arcomat.diagram.Picture.Point;
 import arcomat.diagram.Picture.Shape;
 
 import org.eclipse.elk.core.math.KVector;
+import org.eclipse.elk.core.options.CoreOptions;
 import org.eclipse.elk.core.util.ElkUtil;
 import org.eclipse.elk.graph.ElkEdge;
 import org.eclipse.elk.graph.ElkLabel;
@@ -25,6 +26,9 @@ import java.util.stream.Collectors;
 /** Reads from a graph with a layout where everything is. */
 final class PlacedPicture {
     private static final double ROUND = 9;
+
+    /** Of the dot where a line forks: lines without one only cross each other. */
+    private static final double FORK = 2.6;
 
     /** Between a line across and the texts above and below. */
     private static final double DIVIDER = 3;
@@ -48,7 +52,7 @@ final class PlacedPicture {
         switch (node.form()) {
             case BOX, CARD -> shapes.add(new Picture.Rectangle(box, 3));
             case ROUND -> shapes.add(new Picture.Rectangle(box, ROUND));
-            case DOT ->
+            case DOT, JUNCTION ->
                     shapes.add(
                             new Picture.Circle(
                                     new Point(
@@ -66,7 +70,10 @@ final class PlacedPicture {
         node.children().forEach(child -> place(child, box.x(), box.y()));
         Set<ElkNode> inside =
                 node.inside().stream().map(layout.nodes::get).collect(Collectors.toSet());
-        node.edges().forEach(edge -> place(edge, inside, box.x(), box.y()));
+        for (Edge edge : node.edges()) {
+            Node target = LayeredLayout.node(edge.target(), node.inside(), node);
+            place(edge, target.form() != Form.JUNCTION, inside, box);
+        }
         node.ports().forEach(port -> place(port, box.x(), box.y()));
     }
 
@@ -91,10 +98,10 @@ final class PlacedPicture {
      *
      * @param inside all nodes between those and who has the edge: one graph may be drawn twice
      */
-    private void place(Edge edge, Set<ElkNode> inside, double holderX, double holderY) {
+    private void place(Edge edge, boolean head, Set<ElkNode> inside, Box holder) {
         List<ElkEdge> placed = Objects.requireNonNull(layout.edges.get(edge));
-        double x = holderX;
-        double y = holderY;
+        double x = holder.x();
+        double y = holder.y();
         ElkNode inner = placed.get(0).getContainingNode();
         while (inside.contains(inner)) {
             x += inner.getX();
@@ -102,12 +109,17 @@ final class PlacedPicture {
             inner = inner.getParent();
         }
         List<Point> points = new ArrayList<>();
+        List<Shape> shapes = new ArrayList<>();
         for (ElkEdge piece : placed) {
             for (KVector point : ElkUtil.createVectorChain(piece.getSections().get(0))) {
                 points.add(new Point(point.x + x, point.y + y));
             }
+            for (KVector fork : piece.getProperty(CoreOptions.JUNCTION_POINTS)) {
+                shapes.add(new Picture.Circle(new Point(fork.x + x, fork.y + y), FORK));
+            }
         }
-        elements.add(new Element(edge.mark(), List.of(new Picture.Arrow(points))));
+        shapes.add(0, new Picture.Arrow(points, head));
+        elements.add(new Element(edge.mark(), shapes));
         for (ElkLabel label : placed.get(0).getLabels()) {
             place(edge.captions(), box(label).moved(x, y));
         }

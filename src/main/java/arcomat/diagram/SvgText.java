@@ -120,6 +120,10 @@ public final class SvgText implements Picture.Pen {
     @Override
     public void arrow(Picture.Arrow arrow) {
         List<Point> points = arrow.points();
+        if (!arrow.head()) {
+            text.append("<path d=\"" + path(points, points.get(points.size() - 1)) + "\"/>");
+            return;
+        }
         Point last = points.get(points.size() - 1);
         Point before = points.get(points.size() - 2);
         double length = Math.hypot(last.x() - before.x(), last.y() - before.y());
@@ -132,7 +136,10 @@ public final class SvgText implements Picture.Pen {
                 .append(pair(foot.plus(down * HEAD_WIDTH, -right * HEAD_WIDTH)) + "\"/>");
     }
 
-    /** Through all points but the last, instead of which it ends at the foot of the arrow head. */
+    /**
+     * Through all points but the last, instead of which it ends at the foot of the arrow head, if
+     * there is one.
+     */
     private static String path(List<Point> points, Point foot) {
         StringBuilder path = new StringBuilder("M" + pair(points.get(0)));
         for (int i = 1; i < points.size() - 1; i++) {

@@ -37,8 +37,18 @@ public interface Guest {
         return List.of();
     }
 
+    /** Questions about automata, in addition to those of the tool. */
+    default List<AutomatonAnalysis> analyses() {
+        return List.of();
+    }
+
     /** Languages for behaviours; no two guests of a run may have the same word for one. */
     default List<BehaviourLanguage> languages() {
+        return List.of();
+    }
+
+    /** Readers of other languages; no two guests of a run may have the same word for one. */
+    default List<Importer> importers() {
         return List.of();
     }
 }

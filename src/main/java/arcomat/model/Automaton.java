@@ -197,6 +197,34 @@ public record Automaton(
                 Span span) {
             this(source, target, guard, matches, sends, assignments, 0, span);
         }
+
+        /** The same between other states. */
+        public Transition between(int otherSource, int otherTarget) {
+            return new Transition(
+                    otherSource, otherTarget, guard, matches, sends, assignments, rank, span);
+        }
+
+        /** The same between its states, when something else is asked, with another effect. */
+        public Transition with(
+                Optional<Expression> otherGuard,
+                List<Match> otherMatches,
+                List<Send> otherSends,
+                List<Assignment> otherAssignments) {
+            return new Transition(
+                    source,
+                    target,
+                    otherGuard,
+                    otherMatches,
+                    otherSends,
+                    otherAssignments,
+                    rank,
+                    span);
+        }
+
+        public Transition withRank(int otherRank) {
+            return new Transition(
+                    source, target, guard, matches, sends, assignments, otherRank, span);
+        }
     }
 
     /**

@@ -168,7 +168,8 @@ class LongStepsTest {
 
     @Test
     void analyses() {
-        Examination examination = ending(() -> Analyses.examine(manyLetters(), few())).get(0);
+        Examination examination =
+                ending(() -> Analyses.examine(manyLetters(), List.of(), few())).get(0);
         assertThat(examination.obstacle()).isEqualTo("the time is up");
         assertThat(examination.explored()).isPositive();
     }

@@ -108,14 +108,6 @@ final class Contest {
         return Files.isReadable(Path.of("/proc/stat"));
     }
 
-    /** Whether nobody else works much just now, before any group has begun. */
-    static boolean isQuietNow() throws Exception {
-        long busy = busyTicks();
-        Thread.sleep(TURN.toMillis());
-        double all = TURN.toMillis() / 10.0 * Runtime.getRuntime().availableProcessors();
-        return (busyTicks() - busy) / all < QUIET;
-    }
-
     /** Hundredths of seconds in which processors worked, or were taken by other machines. */
     private static long busyTicks() throws IOException {
         String all = Files.readAllLines(Path.of("/proc/stat")).get(0);

@@ -92,7 +92,7 @@ class ChecksAgreeWithAnalysesTest {
             if (component.hasDefaults() && !component.automata().isEmpty()) {
                 List<Value> arguments = Arguments.complete(component, List.of());
                 Promise promise = new Promise(component, arguments, component.automata());
-                Analyses.examine(promise, budget)
+                Analyses.examine(promise, List.of(), budget)
                         .forEach(each -> each.findings().forEach(f -> found.add(f.diagnostic())));
             }
         }

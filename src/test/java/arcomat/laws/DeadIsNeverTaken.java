@@ -40,7 +40,7 @@ final class DeadIsNeverTaken implements Law {
         Component component = models.component(Pairs.LEFT);
         Set<Span> dead = new HashSet<>();
         for (Examination each :
-                Analyses.examine(Questions.promise(component), Questions.budget())) {
+                Analyses.examine(Questions.promise(component), List.of(), Questions.budget())) {
             for (Finding finding : each.findings()) {
                 if (finding.code().equals(DEAD)) {
                     dead.add(finding.diagnostic().span());

@@ -151,6 +151,9 @@ final class InvariantsAsTheReference implements Law {
         for (String text : List.of("", "a", "b", "c")) {
             pool.add(new Value.StringValue(text));
         }
+        for (char letter : "`abc\u0000".toCharArray()) {
+            pool.add(new Value.CharacterValue(letter));
+        }
         for (double number : new double[] {0, 0.5, 1.5, 2, Double.NaN}) {
             pool.add(new Value.RealValue(number));
         }

@@ -137,23 +137,11 @@ final class WhyNothingFired implements Law {
         } else {
             int rank = refusal.transition().rank();
             Automaton.Transition first = before.get(clause - own);
-            transitions.replaceAll(each -> each == first ? ranked(first, rank) : each);
+            transitions.replaceAll(each -> each == first ? first.withRank(rank) : each);
         }
         Component component = relation.component();
         Automaton changed = relation.automaton().withTransitions(transitions);
         return ComponentSemantics.of(component, List.of(changed), List.of()).relations().get(0);
-    }
-
-    private static Automaton.Transition ranked(Automaton.Transition from, int rank) {
-        return new Automaton.Transition(
-                from.source(),
-                from.target(),
-                from.guard(),
-                from.matches(),
-                from.sends(),
-                from.assignments(),
-                rank,
-                from.span());
     }
 
     private static Automaton.Transition without(Automaton.Transition from, int clause) {
@@ -167,15 +155,11 @@ final class WhyNothingFired implements Law {
         } else if (!inEffect) {
             matches.remove(clause);
         }
-        return new Automaton.Transition(
-                from.source(),
-                from.target(),
+        return from.with(
                 conjuncts.stream().reduce(WhyNothingFired::and),
                 matches,
                 inEffect ? List.of() : from.sends(),
-                inEffect ? List.of() : from.assignments(),
-                from.rank(),
-                from.span());
+                inEffect ? List.of() : from.assignments());
     }
 
     private static void addConjuncts(Expression guard, List<Expression> conjuncts) {

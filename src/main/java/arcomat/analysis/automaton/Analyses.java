@@ -11,6 +11,7 @@ import arcomat.model.Automaton;
 import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
@@ -39,15 +40,21 @@ public final class Analyses {
 
     private Analyses() {}
 
-    /** Each automaton of a promise on its own. */
-    public static List<Examination> examine(Promise promise, Budget budget) {
+    /**
+     * Each automaton of a promise on its own.
+     *
+     * @param outside what others ask besides
+     */
+    public static List<Examination> examine(
+            Promise promise, List<OutsideQuestion> outside, Budget budget) {
         return promise.each().stream()
                 .filter(each -> !each.automata().isEmpty())
-                .map(each -> examineSole(each, budget))
+                .map(each -> examineSole(each, outside, budget))
                 .toList();
     }
 
-    private static Examination examineSole(Promise promise, Budget budget) {
+    private static Examination examineSole(
+            Promise promise, List<OutsideQuestion> outside, Budget budget) {
         Automaton automaton = promise.automata().get(0);
         Subject subject;
         try {
@@ -56,7 +63,9 @@ public final class Analyses {
             List<Finding> findings = List.of(beginning(fault, automaton));
             return new Examination(promise, findings, "", 0);
         }
-        List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
+        List<Analysis> analyses = new ArrayList<>();
+        ALL.forEach(each -> analyses.add(each.apply(subject)));
+        outside.forEach(each -> analyses.add(new OutsideAnalysis(each, subject)));
         Consumer<Situation> watching = seen -> analyses.forEach(each -> each.see(seen));
         Exploration exploration = new Exploration(subject, watching, firstBudget(subject, budget));
         return Budget.within(
@@ -68,9 +77,19 @@ public final class Analyses {
                                     .flatMap(each -> each.findings(known).stream())
                                     .sorted(ORDER)
                                     .toList();
-                    return new Examination(promise, findings, known.obstacle(), exploration.size());
+                    return new Examination(
+                            promise, findings, obstacle(known, outside), exploration.size());
                 },
                 reason -> new Examination(promise, List.of(), reason, exploration.size()));
+    }
+
+    /** A solver answers the tool's questions, and not those of others: they have seen a part. */
+    private static String obstacle(Knowledge known, List<OutsideQuestion> outside) {
+        String obstacle = known.obstacle();
+        return obstacle.isEmpty() && !outside.isEmpty() && !known.isExhaustive()
+                ? "guests were asked about some of the configurations only (%s)"
+                        .formatted(known.explored().obstacle())
+                : obstacle;
     }
 
     /** Where there is no end to the values, the solver is asked soon. */

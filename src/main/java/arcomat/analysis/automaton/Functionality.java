@@ -18,9 +18,12 @@ import arcomat.semantics.expression.Fault;
 import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Whether a component answers each input with one output and no other: a function of streams. Said
@@ -93,7 +96,11 @@ public final class Functionality {
         Exploration exploration = new Exploration(subject, seen -> {}, budget);
         exploration.run();
         Knowledge known = new Solving(subject, seen -> {}, budget).after(exploration);
-        return unhandled(known).or(() -> wrong(known)).or(() -> together(known));
+        return Stream.of(unhandled(), wrong(), together())
+                .flatMap(each -> each)
+                .filter(doubt -> !known.neverHappens(doubt.property()))
+                .map(doubt -> doubt.after(known))
+                .findFirst();
     }
 
     /** What can be told without a run. */
@@ -124,66 +131,57 @@ public final class Functionality {
                 .orElse(automaton.omitted() == Automaton.Omitted.FREE);
     }
 
-    private Optional<String> unhandled(Knowledge known) {
+    private Stream<Doubt> unhandled() {
         if (automaton.completion() == Automaton.Completion.IGNORE) {
-            return Optional.empty();
+            return Stream.empty();
         }
-        for (int state = 0; state < automaton.states().size(); state++) {
-            for (boolean silent : new boolean[] {false, true}) {
-                String what = "does not handle " + (silent ? "silence" : "each message");
-                Optional<String> found =
-                        doubt(
-                                new RunProperty.Unhandled(state, silent),
-                                known,
-                                "state '%s' %s".formatted(subject.state(state), what));
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
+        return IntStream.range(0, automaton.states().size())
+                .boxed()
+                .flatMap(state -> Stream.of(unhandled(state, false), unhandled(state, true)));
     }
 
-    private Optional<String> wrong(Knowledge known) {
-        for (int i = 0; i < automaton.transitions().size(); i++) {
-            for (Fault.Kind kind : Fault.Kind.values()) {
-                Optional<String> found =
-                        doubt(
-                                new RunProperty.Wrong(i, kind),
-                                known,
-                                subject.place(i) + " may go wrong");
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
+    private Doubt unhandled(int state, boolean silent) {
+        String what = "does not handle " + (silent ? "silence" : "each message");
+        return new Doubt(
+                new RunProperty.Unhandled(state, silent),
+                "state '%s' %s".formatted(subject.state(state), what));
+    }
+
+    private Stream<Doubt> wrong() {
+        return IntStream.range(0, automaton.transitions().size())
+                .boxed()
+                .flatMap(i -> Arrays.stream(Fault.Kind.values()).map(kind -> wrong(i, kind)));
+    }
+
+    private Doubt wrong(int transition, Fault.Kind kind) {
+        return new Doubt(
+                new RunProperty.Wrong(transition, kind),
+                subject.place(transition) + " may go wrong");
     }
 
     /** Whether they have the same effect does not matter: one of them would be enough. */
-    private Optional<String> together(Knowledge known) {
+    private Stream<Doubt> together() {
         List<Transition> all = automaton.transitions();
-        for (int i = 0; i < all.size(); i++) {
-            for (int j = i + 1; j < all.size(); j++) {
-                if (all.get(i).source() == all.get(j).source()) {
-                    Optional<String> found =
-                            doubt(
-                                    new RunProperty.Together(i, j, Difference.ANY),
-                                    known,
-                                    "%s and %s may be taken on the same input"
-                                            .formatted(subject.place(i), subject.place(j)));
-                    if (found.isPresent()) {
-                        return found;
-                    }
-                }
-            }
-        }
-        return Optional.empty();
+        return IntStream.range(0, all.size())
+                .boxed()
+                .flatMap(
+                        i ->
+                                IntStream.range(i + 1, all.size())
+                                        .filter(j -> all.get(i).source() == all.get(j).source())
+                                        .mapToObj(j -> together(i, j)));
     }
 
-    private static Optional<String> doubt(RunProperty property, Knowledge known, String what) {
-        return known.neverHappens(property)
-                ? Optional.empty()
-                : Optional.of(known.happens(property) ? what : "it is not known whether " + what);
+    private Doubt together(int first, int second) {
+        return new Doubt(
+                new RunProperty.Together(first, second, Difference.ANY),
+                "%s and %s may be taken on the same input"
+                        .formatted(subject.place(first), subject.place(second)));
+    }
+
+    /** What would make a second output possible. */
+    private record Doubt(RunProperty property, String what) {
+        String after(Knowledge known) {
+            return known.happens(property) ? what : "it is not known whether " + what;
+        }
     }
 }

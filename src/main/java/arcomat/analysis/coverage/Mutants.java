@@ -2,6 +2,7 @@ package arcomat.analysis.coverage;
 
 import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.model.Automaton;
+import arcomat.model.Automaton.Assignment;
 import arcomat.model.Automaton.Emission;
 import arcomat.model.Automaton.Match;
 import arcomat.model.Automaton.Pattern;
@@ -70,18 +71,7 @@ public record Mutants(Component component, Automaton automaton) {
         for (int i = 1; i <= most; i++) {
             int target = (t.target() + i) % states;
             String what = "leads to '" + automaton.states().get(target) + "'";
-            changes.add(
-                    new Change(
-                            what,
-                            new Transition(
-                                    t.source(),
-                                    target,
-                                    t.guard(),
-                                    t.matches(),
-                                    t.sends(),
-                                    t.assignments(),
-                                    t.rank(),
-                                    t.span())));
+            changes.add(new Change(what, t.between(t.source(), target)));
         }
     }
 
@@ -218,25 +208,17 @@ public record Mutants(Component component, Automaton automaton) {
     private static void assignments(Transition t, List<Change> changes) {
         for (int i = 0; i < t.assignments().size(); i++) {
             String name = t.assignments().get(i).variable().name();
+            List<Assignment> others = replaced(t.assignments(), i, List.of());
             changes.add(
                     new Change(
                             "leaves '" + name + "' as it is",
-                            new Transition(
-                                    t.source(),
-                                    t.target(),
-                                    t.guard(),
-                                    t.matches(),
-                                    t.sends(),
-                                    replaced(t.assignments(), i, List.of()),
-                                    t.rank(),
-                                    t.span())));
+                            t.with(t.guard(), t.matches(), t.sends(), others)));
         }
     }
 
     private static Transition with(
             Transition t, Optional<Expression> guard, List<Match> matches, List<Send> sends) {
-        return new Transition(
-                t.source(), t.target(), guard, matches, sends, t.assignments(), t.rank(), t.span());
+        return t.with(guard, matches, sends, t.assignments());
     }
 
     private static <T> List<T> replaced(List<T> list, int position, List<T> instead) {

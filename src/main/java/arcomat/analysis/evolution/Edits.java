@@ -156,18 +156,7 @@ final class Edits {
                         && each.assignments().isEmpty()
                         && each.matches().stream().allMatch(match -> isKept(match.port()))
                         && each.sends().stream().allMatch(send -> isKept(send.port()));
-        return possible
-                ? Optional.of(
-                        new Transition(
-                                source,
-                                target,
-                                each.guard(),
-                                each.matches(),
-                                each.sends(),
-                                each.assignments(),
-                                each.rank(),
-                                each.span()))
-                : Optional.empty();
+        return possible ? Optional.of(each.between(source, target)) : Optional.empty();
     }
 
     private Optional<Initial> restored(Initial initial) {

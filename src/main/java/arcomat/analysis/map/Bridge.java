@@ -5,6 +5,7 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.model.Component;
 import arcomat.model.Component.Endpoint;
+import arcomat.model.Component.Part;
 import arcomat.model.Port;
 
 import java.util.ArrayList;
@@ -85,13 +86,13 @@ final class Bridge {
         if (half.isEmpty()) {
             return List.of();
         }
-        Component component = side.add(name, half.get());
-        for (Port input : component.inputs()) {
-            Optional<Offer> offer =
+        Part part = side.add(name, half.get());
+        for (Port input : part.component().inputs()) {
+            List<Offer> meant =
                     offers.stream()
                             .filter(each -> stands(input, each.port(), left.component()))
-                            .findFirst();
-            if (offer.isEmpty()) {
+                            .toList();
+            if (meant.isEmpty()) {
                 problem(
                         input,
                         "the map %s reads '%s', which %s does not have",
@@ -99,13 +100,18 @@ final class Bridge {
                         input.name(),
                         left.title());
             }
-            offer.filter(each -> fits(each.port(), input))
+            requireOneMeaning(input, meant.stream().map(Offer::port).toList(), left);
+            meant.stream()
+                    .findFirst()
+                    .filter(each -> fits(each.port(), input))
                     .ifPresent(
                             each ->
                                     side.connect(
-                                            each.endpoint(), BridgeSide.endpoint(name, input)));
+                                            each.endpoint(), BridgeSide.endpoint(part, input)));
         }
-        return component.outputs().stream().map(each -> BridgeSide.offer(name, each)).toList();
+        return part.component().outputs().stream()
+                .map(each -> BridgeSide.offer(part, each))
+                .toList();
     }
 
     private static boolean stands(Port mapped, Port port, Component owner) {
@@ -115,7 +121,12 @@ final class Bridge {
 
     private void requireKnown(List<Offer> mapped, List<Port> ports, String kind) {
         for (Offer each : mapped) {
-            if (ports.stream().noneMatch(port -> stands(each.port(), port, right.component()))) {
+            List<Port> meant =
+                    ports.stream()
+                            .filter(port -> stands(each.port(), port, right.component()))
+                            .toList();
+            requireOneMeaning(each.port(), meant, right);
+            if (meant.isEmpty()) {
                 problem(
                         each.port(),
                         "the map %s sends '%s', and %s has no such %s",
@@ -127,21 +138,42 @@ final class Bridge {
         }
     }
 
+    /** A long name of one port may be the name of another: nobody guesses which is meant. */
+    private void requireOneMeaning(Port mapped, List<Port> meant, BridgeSide side) {
+        if (meant.size() > 1) {
+            problem(
+                    mapped,
+                    "'%s' of the map %s may stand for '%s' and for '%s' of %s: rename one",
+                    mapped.name(),
+                    map.title(),
+                    meant.get(0).name(),
+                    meant.get(1).name(),
+                    side.title());
+        }
+    }
+
     /** What stands for a port of the abstract component: what the map says, else its namesake. */
     private Optional<Offer> find(Port port, List<Offer> mapped, List<Offer> own, String kind) {
-        Optional<Offer> found =
+        List<Offer> said =
                 mapped.stream()
                         .filter(each -> stands(each.port(), port, right.component()))
-                        .findFirst()
-                        .or(
-                                () ->
-                                        own.stream()
-                                                .filter(
-                                                        each ->
-                                                                each.port()
-                                                                        .name()
-                                                                        .equals(port.name()))
-                                                .findFirst());
+                        .toList();
+        if (said.size() > 1) {
+            problem(
+                    said.get(1).port(),
+                    "the map %s sends '%s' and '%s', and both stand for %s '%s' of %s",
+                    map.title(),
+                    said.get(0).port().name(),
+                    said.get(1).port().name(),
+                    kind,
+                    port.name(),
+                    right.title());
+        }
+        Optional<Offer> found =
+                Stream.concat(
+                                said.stream(),
+                                own.stream().filter(each -> each.port().name().equals(port.name())))
+                        .findFirst();
         if (found.isEmpty()) {
             problem(
                     port,

@@ -20,16 +20,15 @@ import java.util.Set;
 /** A component as a part of a composition that is made for a comparison, with its neighbours. */
 final class BridgeSide {
     private final Promise promise;
-    private final String name;
-    private final Component component;
+    private final Part part;
     private final List<Part> parts = new ArrayList<>();
     private final List<Connection> connections = new ArrayList<>();
 
     BridgeSide(Promise promise) {
         this.promise = promise;
         String simple = InterfaceMap.simpleName(promise.component());
-        this.name = simple.substring(0, 1).toLowerCase(Locale.ROOT) + simple.substring(1);
-        this.component = add(name, promise);
+        this.part =
+                add(simple.substring(0, 1).toLowerCase(Locale.ROOT) + simple.substring(1), promise);
     }
 
     /** A port that a message may come from. */
@@ -37,15 +36,15 @@ final class BridgeSide {
 
     /** What counts of the component, as a part. */
     Component component() {
-        return component;
+        return part.component();
     }
 
     String title() {
         return promise.title();
     }
 
-    /** One more part. */
-    Component add(String part, Promise promised) {
+    /** One more part, under that name or, where a part has it, one like it. */
+    Part add(String name, Promise promised) {
         Component added = asPart(promised);
         List<Expression> arguments = new ArrayList<>();
         for (int i = 0; i < promised.arguments().size(); i++) {
@@ -53,8 +52,10 @@ final class BridgeSide {
             arguments.add(
                     new Expression.Constant(value, added.parameters().get(i).type(), added.span()));
         }
-        parts.add(new Part(part, added, arguments, added.span()));
-        return added;
+        boolean taken = parts.stream().anyMatch(each -> each.name().equals(name));
+        Part made = new Part(taken ? name + "OfMap" : name, added, arguments, added.span());
+        parts.add(made);
+        return made;
     }
 
     /**
@@ -77,22 +78,22 @@ final class BridgeSide {
     }
 
     void connect(Endpoint source, Endpoint target) {
-        connections.add(new Connection(source, target, component.span()));
+        connections.add(new Connection(source, target, component().span()));
     }
 
     Endpoint endpoint(Port port) {
-        return endpoint(name, port);
+        return endpoint(part, port);
     }
 
-    static Endpoint endpoint(String part, Port port) {
-        return new Endpoint(Optional.of(part), port.name());
+    static Endpoint endpoint(Part part, Port port) {
+        return new Endpoint(Optional.of(part.name()), port.name());
     }
 
     Offer offer(Port output) {
-        return offer(name, output);
+        return offer(part, output);
     }
 
-    static Offer offer(String part, Port output) {
+    static Offer offer(Part part, Port output) {
         return new Offer(output, endpoint(part, output));
     }
 
@@ -102,6 +103,7 @@ final class BridgeSide {
 
     /** The composition, under the name of the component that it is about. */
     Promise whole(List<Port> ports) {
+        Component component = component();
         Component whole =
                 new Component(
                         component.packageName(),
@@ -125,7 +127,7 @@ final class BridgeSide {
 
     /** Arguments, or an automaton: what its own title says behind the component's name. */
     private String mark() {
-        String qualified = component.qualifiedName();
+        String qualified = component().qualifiedName();
         return title().startsWith(qualified) ? title().substring(qualified.length()) : "";
     }
 }

@@ -1,17 +1,23 @@
 package arcomat.check.facts;
 
+import arcomat.symbols.expressions.ConstantFolding;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Node;
 
 import java.util.Collection;
+import java.util.EnumSet;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /** Pieces of sentences that several messages share. */
 public final class Wording {
     private static final int LONGEST = 40;
+    private static final Set<BuiltinType> SMALL =
+            EnumSet.of(BuiltinType.BYTE, BuiltinType.SHORT, BuiltinType.CHARACTER);
 
     private Wording() {}
 
@@ -38,11 +44,28 @@ public final class Wording {
 
     /** {@code Integer, but '"slow"' is of type String}. */
     public static String mismatch(TypeSymbol wanted, Typed typed) {
-        return "%s, but '%s' is of type %s"
+        return "%s, but '%s' is of type %s%s"
                 .formatted(
                         distinct(wanted, typed.type()),
                         shortened(typed.expression().node()),
-                        distinct(typed.type(), wanted));
+                        distinct(typed.type(), wanted),
+                        narrowing(wanted, typed));
+    }
+
+    /** What to do where a number may be too large for Java's small types. */
+    private static String narrowing(TypeSymbol wanted, Typed typed) {
+        if (!(wanted.base() instanceof BuiltinType small)
+                || !SMALL.contains(small)
+                || !typed.type().isIntegral()) {
+            return "";
+        }
+        return ConstantFolding.computed(typed.expression())
+                .filter(number -> number < small.low() || small.high() < number)
+                .map(
+                        number ->
+                                "; %s holds numbers from %d to %d"
+                                        .formatted(small, small.low(), small.high()))
+                .orElse("; a value is cut off only where you write (%s)".formatted(small));
     }
 
     /** The text of a node, cut where it would burst the sentence. */

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
  *
  * @param guest its name
  * @param identity tells it from every other guest, and from itself with other content
- * @param others codes of what it finds besides, in texts of its languages
+ * @param others codes of what it finds besides, in texts of its languages and by its analyses
  * @param pages what it has to say about a code, in Markdown
  */
 public record GuestLaws(

@@ -25,12 +25,6 @@ import java.util.function.Predicate;
  * @param limit after which the guest is left alone
  */
 public record GuestReview(GuestLaws guest, Duration limit) {
-    /** ARC1201: a law of a guest cannot be carried out. */
-    static final String FAILED = "ARC1201";
-
-    /** ARC1202: a guest takes too long. */
-    static final String TOO_LONG = "ARC1202";
-
     /**
      * What came of it.
      *
@@ -92,34 +86,13 @@ public record GuestReview(GuestLaws guest, Duration limit) {
     }
 
     private Diagnostic failed(Law law, Span place, Throwable thrown) {
-        return Diagnostic.error(
-                FAILED,
-                place,
-                "law %s of guest '%s' failed here and was not asked again: %s%s; tell who wrote it, or leave the guest out"
-                        .formatted(law.code(), guest.guest(), thrown, where(thrown)));
-    }
-
-    /** The line of the guest: those of the tool say nothing to its author. */
-    private static String where(Throwable thrown) {
-        for (StackTraceElement frame : thrown.getStackTrace()) {
-            String name = frame.getClassName();
-            if (!name.startsWith("arcomat.") && !name.startsWith("java.")) {
-                return " at " + frame.getFileName() + ":" + frame.getLineNumber();
-            }
-        }
-        return "";
+        return new GuestFailure(guest.guest()).lawFailed(law.code(), place, thrown);
     }
 
     private Outcome tooLong(Workspace workspace) {
         Span beginning = workspace.units().get(0).file().span(0, 0);
         return new Outcome(
-                List.of(
-                        Diagnostic.error(
-                                TOO_LONG,
-                                beginning,
-                                "guest '%s' was not done with its laws after %d s and was left alone; tell who wrote it, or leave the guest out"
-                                        .formatted(guest.guest(), limit.toSeconds()))),
-                false);
+                List.of(new GuestFailure(guest.guest()).tooLong("laws", beginning, limit)), false);
     }
 
     /** What ends the work of the tool, and not of the guest. */

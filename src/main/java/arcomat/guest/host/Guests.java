@@ -1,23 +1,44 @@
 package arcomat.guest.host;
 
 import arcomat.check.LawBook;
+import arcomat.guest.AutomatonAnalysis;
 import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.Importer;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Who is there besides the tool itself.
  *
  * @param laws the tool's and theirs
+ * @param questions about automata, besides the tool's
  * @param languages that behaviours may be written in, besides automata and tables
+ * @param kinds of models that can be read once
  */
-public record Guests(LawBook laws, List<Language> languages) {
+public record Guests(
+        LawBook laws, List<Question> questions, List<Language> languages, List<Kind> kinds) {
     /** Nobody. */
-    public static final Guests NONE = new Guests(LawBook.OWN, List.of());
+    public static final Guests NONE = new Guests(LawBook.OWN, List.of(), List.of(), List.of());
 
     public Guests {
+        questions = List.copyOf(questions);
         languages = List.copyOf(languages);
+        kinds = List.copyOf(kinds);
+    }
+
+    /**
+     * An analysis with the name of its guest.
+     *
+     * @param codes what the analysis said that it may find, once
+     */
+    public record Question(String guest, List<String> codes, AutomatonAnalysis analysis) {
+        public Question {
+            codes = List.copyOf(codes);
+        }
     }
 
     /**
@@ -25,10 +46,35 @@ public record Guests(LawBook laws, List<Language> languages) {
      *
      * @param keyword what the language said it is, once
      * @param codes what it said that it may find
+     * @param words of its texts, in alphabetical order, with what each says
      */
     public record Language(
-            String guest, String keyword, List<String> codes, BehaviourLanguage translator) {
+            String guest,
+            String keyword,
+            List<String> codes,
+            SortedMap<String, String> words,
+            BehaviourLanguage translator) {
         public Language {
+            codes = List.copyOf(codes);
+            words = Collections.unmodifiableSortedMap(new TreeMap<>(words));
+        }
+    }
+
+    /**
+     * A reader of another language with the name of its guest.
+     *
+     * @param word what it said it is, once
+     * @param endings of the files that it said it reads
+     * @param codes what it said that it may find
+     */
+    public record Kind(
+            String guest,
+            String word,
+            List<String> endings,
+            List<String> codes,
+            Importer importer) {
+        public Kind {
+            endings = List.copyOf(endings);
             codes = List.copyOf(codes);
         }
     }

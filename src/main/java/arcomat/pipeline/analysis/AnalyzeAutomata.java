@@ -4,19 +4,20 @@ import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Examination.Unexamined;
 import arcomat.analysis.automaton.Finding;
+import arcomat.analysis.automaton.OutsideQuestion;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;
-import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.ModelQuestion;
 import arcomat.pipeline.check.PromiseReference;
+import arcomat.pipeline.guest.GuestQuestion;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
@@ -60,9 +61,9 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
         }
         Budget budget = limits.budget();
         if (!components.isEmpty()) {
-            return examine(promises, List.of(), models, budget, session.progress());
+            return examine(promises, List.of(), models, budget, session);
         }
-        Found all = all(models, budget, session.progress());
+        Found all = all(models, budget, session);
         if (all.examinations().isEmpty() && all.unexamined().isEmpty()) {
             throw new WrongUse("there is no automaton in " + String.join(", ", paths));
         }
@@ -70,9 +71,9 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     }
 
     /** Of all models that were named. */
-    public static Found all(LoweredModels models, Budget budget, Progress progress) {
+    public static Found all(LoweredModels models, Budget budget, Session session) {
         InstancePromises all = new InstancePromises(models);
-        return examine(all.all(), all.withoutArguments(), models, budget, progress);
+        return examine(all.all(), all.withoutArguments(), models, budget, session);
     }
 
     private static Promise promise(String written, LoweredModels models) throws WrongUse {
@@ -87,8 +88,7 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     /** What is found about automata and not declared to be meant. */
     public static List<Examination> examine(
             List<Promise> promises, LoweredModels models, AnalysisLimits limits, Session session) {
-        return examine(promises, List.of(), models, limits.budget(), session.progress())
-                .examinations();
+        return examine(promises, List.of(), models, limits.budget(), session).examinations();
     }
 
     private static Found examine(
@@ -96,11 +96,12 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
             List<Unexamined> unexamined,
             LoweredModels models,
             Budget budget,
-            Progress progress) {
+            Session session) {
+        List<OutsideQuestion> outside = GuestQuestion.all(session.guests());
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
-            progress.step("examining " + promise.title());
-            examinations.addAll(Analyses.examine(promise, budget));
+            session.progress().step("examining " + promise.title());
+            examinations.addAll(Analyses.examine(promise, outside, budget));
         }
         List<Diagnostic> all =
                 examinations.stream()

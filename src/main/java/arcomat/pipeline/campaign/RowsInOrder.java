@@ -16,8 +16,11 @@ import java.util.TreeMap;
  * @param work what they are made for, as people read it
  */
 record RowsInOrder(Engine engine, Session session, String work) {
-    /** So many runs are given out for each that can be made at a time. */
-    static final int AHEAD = 8;
+    /**
+     * So many runs are given out for each that can be made at a time: enough for messages of many
+     * runs to machines that go on meanwhile, since a message costs more than what it says.
+     */
+    static final int AHEAD = 64;
 
     /** Who waits longer than this for a row looks whether somebody wants to stop. */
     static final Duration LOOK = Duration.ofMillis(200);

@@ -34,9 +34,9 @@ public final class FileFinder {
     private static final List<String> ENDINGS =
             List.of(".arc", ".cd", ".ioautomaton", ".mt", ".maa");
 
-    private static final String LISTING = String.join(", ", ENDINGS);
-
     private final PathNames names;
+    private final List<String> endings;
+    private final String what;
     private final List<Found> files = new ArrayList<>();
     private final List<Diagnostic> findings = new ArrayList<>();
     private final Set<Path> seen = new HashSet<>();
@@ -49,13 +49,33 @@ public final class FileFinder {
      * @param names what relative paths start from
      */
     public FileFinder(PathNames names) {
+        this(names, ENDINGS, "model file");
+    }
+
+    /**
+     * Finds other files.
+     *
+     * @param endings of their names
+     * @param what one of them is, in words
+     */
+    public FileFinder(PathNames names, List<String> endings, String what) {
         this.names = names;
+        this.endings = List.copyOf(endings);
+        this.what = what;
     }
 
     /** By the ending of its name. */
     public static boolean isModelFile(Path file) {
+        return ends(file, ENDINGS);
+    }
+
+    private static boolean ends(Path file, List<String> endings) {
         String name = file.getFileName().toString();
-        return ENDINGS.stream().anyMatch(name::endsWith);
+        return endings.stream().anyMatch(name::endsWith);
+    }
+
+    private String listing() {
+        return String.join(", ", endings);
     }
 
     /** What was found so far, in the order of finding. */
@@ -85,14 +105,14 @@ public final class FileFinder {
                 int before = met + findings.size();
                 searchFolder(path, shown, absolute);
                 if (met + findings.size() == before) {
-                    unreadable(shown, "holds no model files (" + LISTING + ")");
+                    unreadable(shown, "holds no " + what + "s (" + listing() + ")");
                 }
             }
         } else if (Files.exists(path)) {
-            if (isModelFile(path)) {
+            if (ends(path, endings)) {
                 addFile(path, shown);
             } else {
-                unreadable(shown, "is not a model file; their names end in " + LISTING);
+                unreadable(shown, "is not a " + what + "; their names end in " + listing());
             }
         } else {
             missing(path, shown);
@@ -136,7 +156,7 @@ public final class FileFinder {
             if (mayBeRead(entry, shown)) {
                 searchFolder(entry, shown, absolute);
             }
-        } else if (isModelFile(entry) && mayBeRead(entry, shown)) {
+        } else if (ends(entry, endings) && mayBeRead(entry, shown)) {
             if (Files.exists(entry)) {
                 addFile(entry, shown);
             } else {

@@ -31,14 +31,29 @@ public final class NewFolder {
             throws WrongUse {
         Path folder = names.resolve(shown).toAbsolutePath().normalize();
         try {
-            requireFree(folder, shown);
+            refuseOthers(folder, shown);
+            Files.createDirectories(folder.getParent());
             write(folder, files);
         } catch (IOException e) {
             throw Failures.cannot("write to", shown, e);
         }
     }
 
-    private static void requireFree(Path folder, String shown) throws IOException, WrongUse {
+    /**
+     * Asks whether it can be made, before there are files for it.
+     *
+     * @param shown the folder as the user wrote it
+     * @throws WrongUse where there is something of that name that is no empty folder
+     */
+    public static void requireFree(Path folder, String shown) throws WrongUse {
+        try {
+            refuseOthers(folder, shown);
+        } catch (IOException e) {
+            throw Failures.cannot("write to", shown, e);
+        }
+    }
+
+    private static void refuseOthers(Path folder, String shown) throws IOException, WrongUse {
         if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
             return;
         }

@@ -4,7 +4,10 @@ import arcomat.check.guest.GuestLaws;
 import arcomat.check.law.Law;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
+import arcomat.guest.Importer;
+import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
+import arcomat.guest.host.Guests.Question;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Sha256;
@@ -25,6 +28,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.jar.JarFile;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -37,7 +42,8 @@ import java.util.stream.Stream;
  */
 record GuestJar(String path, URLClassLoader loader, String identity) {
     /** What a guest brings. */
-    record Arrival(GuestLaws laws, List<Language> languages) {}
+    record Arrival(
+            GuestLaws laws, List<Question> questions, List<Language> languages, List<Kind> kinds) {}
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
@@ -145,16 +151,28 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                     path, name);
         }
         List<Language> languages = languages(name, guest.languages());
-        return new Arrival(laws(name, guest.laws(), languages), languages);
+        List<Kind> kinds = kinds(name, guest.importers());
+        List<Question> questions =
+                guest.analyses().stream()
+                        .map(each -> new Question(name, each.codes(), each))
+                        .toList();
+        List<String> others =
+                Stream.of(
+                                languages.stream().map(Language::codes),
+                                kinds.stream().map(Kind::codes),
+                                questions.stream().map(Question::codes))
+                        .flatMap(Function.identity())
+                        .flatMap(List::stream)
+                        .toList();
+        return new Arrival(laws(name, guest.laws(), others), questions, languages, kinds);
     }
 
-    private GuestLaws laws(String name, List<Law> laws, List<Language> languages) throws WrongUse {
-        List<String> others = languages.stream().flatMap(each -> each.codes().stream()).toList();
+    private GuestLaws laws(String name, List<Law> laws, List<String> others) throws WrongUse {
         GuestLaws all = new GuestLaws(name, identity, laws, others, this::page);
         for (String code : all.codes()) {
             if (!CODE.matcher(code).matches()) {
                 throw new WrongUse(
-                        "guest '%s' has a law with the code '%s'; the code of a guest has two to"
+                        "guest '%s' has findings with the code '%s'; the code of a guest has two to"
                                 + " eight capital letters, other than ARC, and four digits",
                         name, code);
             }
@@ -173,9 +191,33 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                                 + " Arcomat's own words",
                         name, keyword);
             }
-            languages.add(new Language(name, keyword, each.codes(), each));
+            languages.add(
+                    new Language(name, keyword, each.codes(), new TreeMap<>(each.words()), each));
         }
         return languages;
+    }
+
+    private static List<Kind> kinds(String name, List<Importer> brought) throws WrongUse {
+        List<Kind> kinds = new ArrayList<>();
+        for (Importer each : brought) {
+            String word = each.kind();
+            if (!NAME.matcher(word).matches()) {
+                throw new WrongUse(
+                        "guest '%s' imports what it calls '%s'; a kind has letters, digits, dots"
+                                + " and hyphens, 40 at most",
+                        name, word);
+            }
+            Kind kind = new Kind(name, word, each.endings(), each.codes(), each);
+            if (kind.endings().isEmpty()
+                    || !kind.endings().stream().allMatch(ending -> ending.matches("\\.\\w+"))) {
+                throw new WrongUse(
+                        "guest '%s' does not say how files of kind '%s' end; an ending is a dot and"
+                                + " letters",
+                        name, word);
+            }
+            kinds.add(kind);
+        }
+        return kinds;
     }
 
     /** What the guest says about a code of its own. */

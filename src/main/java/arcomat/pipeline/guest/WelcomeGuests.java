@@ -3,7 +3,9 @@ package arcomat.pipeline.guest;
 import arcomat.check.LawBook;
 import arcomat.check.guest.GuestLaws;
 import arcomat.guest.host.Guests;
+import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
+import arcomat.guest.host.Guests.Question;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -25,16 +27,21 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
     @Override
     public Guests run(Session session) throws WrongUse {
         List<GuestLaws> laws = new ArrayList<>();
+        List<Question> questions = new ArrayList<>();
         List<Language> languages = new ArrayList<>();
+        List<Kind> kinds = new ArrayList<>();
         for (String path : paths) {
             for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
                 laws.add(each.laws());
+                questions.addAll(each.questions());
                 languages.addAll(each.languages());
+                kinds.addAll(each.kinds());
             }
         }
         requireDifferent(laws);
         requireWords(languages);
-        return new Guests(LawBook.of(laws), languages);
+        requireKinds(kinds);
+        return new Guests(LawBook.of(laws), questions, languages, kinds);
     }
 
     /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
@@ -50,7 +57,7 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                 String other = owners.put(code, guest.guest());
                 if (other != null) {
                     throw new WrongUse(
-                            "the code %s is that of two laws, of guest '%s' and of guest '%s';"
+                            "the code %s is that of two findings, of guest '%s' and of guest '%s';"
                                     + " leave one of them out",
                             code, other, guest.guest());
                 }
@@ -67,6 +74,19 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                         "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
                                 + " one of them out",
                         language.keyword(), other.guest(), language.guest());
+            }
+        }
+    }
+
+    private static void requireKinds(List<Kind> kinds) throws WrongUse {
+        Map<String, Kind> words = new HashMap<>();
+        for (Kind kind : kinds) {
+            Kind other = words.put(kind.word(), kind);
+            if (other != null) {
+                throw new WrongUse(
+                        "models of kind '%s' are imported by two guests, '%s' and '%s'; leave one"
+                                + " of them out",
+                        kind.word(), other.guest(), kind.guest());
             }
         }
     }

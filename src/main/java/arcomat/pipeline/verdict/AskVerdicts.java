@@ -58,7 +58,8 @@ public record AskVerdicts(String path, AnalysisLimits limits, Interruption inter
         } else {
             List<Answered> promises = VerifyPromises.answers(models, budget, interruption);
             verdicts.addAll(new PromiseVerdicts(models, promises).at(places));
-            AnalyzeAutomata.Found found = AnalyzeAutomata.all(models, budget, interruption);
+            AnalyzeAutomata.Found found =
+                    AnalyzeAutomata.all(models, budget, session.with(interruption));
             verdicts.addAll(new AutomatonVerdicts(found).at(places));
             verdicts.addAll(new ProgramVerdicts(models, session).at(places));
         }

@@ -25,7 +25,8 @@ public final class ConstantFolding {
 
     /**
      * The value of a whole number that is also computed: sums, products and the like, in the
-     * arithmetic of the operands' type. Empty also for a division by zero.
+     * arithmetic of the operands' type, where a character counts as its number. Empty also for a
+     * division by zero.
      */
     public static Optional<Long> computed(TypedExpression expression) {
         if (expression instanceof TypedExpression.Unary unary
@@ -39,7 +40,14 @@ public final class ConstantFolding {
                     .flatMap(l -> computed(binary.right()).flatMap(r -> apply(binary, l, r)))
                     .map(value -> wrapped(value, type));
         }
-        return wholeNumber(expression);
+        return wholeNumber(expression).or(() -> character(expression));
+    }
+
+    private static Optional<Long> character(TypedExpression expression) {
+        return expression instanceof TypedExpression.Literal literal
+                        && literal.value() instanceof Character character
+                ? Optional.of((long) character)
+                : Optional.empty();
     }
 
     private static Optional<Long> apply(TypedExpression.Binary binary, long left, long right) {

@@ -41,17 +41,20 @@ public final class TypeRules {
     }
 
     /**
-     * Whether an expression may be assigned to a type: as its type may, and a constant whole number
-     * fits every whole number type that holds its value.
+     * Whether an expression may be assigned to a type: as its type may, and a constant of at most
+     * 32 bits fits every whole number type, and {@code char}, that holds its value (The Java
+     * Language Specification, 5.2).
      */
     public static boolean isAssignable(TypedExpression expression, TypeSymbol to) {
         if (isAssignable(expression.type(), to)) {
             return true;
         }
-        return expression.type().base() == BuiltinType.INTEGER
+        return expression.type().base() instanceof BuiltinType narrow
+                && narrow.isWhole()
+                && narrow != BuiltinType.LONG
                 && to.base() instanceof BuiltinType wide
                 && wide.isWhole()
-                && ConstantFolding.wholeNumber(expression)
+                && ConstantFolding.computed(expression)
                         .filter(v -> wide.low() <= v && v <= wide.high())
                         .isPresent();
     }

@@ -24,7 +24,7 @@ final class Models {
                 component.isComposite()
                         ? Promise.required(component, arguments(component))
                         : Promise.of(component, arguments(component));
-        return Analyses.examine(promise, Budget.ofMemory());
+        return Analyses.examine(promise, List.of(), Budget.ofMemory());
     }
 
     static List<Value> arguments(Component component) {

@@ -172,14 +172,11 @@ class TransitionMutantsTest {
                 List<Automaton.Send> sends = new ArrayList<>(transition.sends());
                 sends.set(i, new Automaton.Send(send.port(), other));
                 changed.add(
-                        new Automaton.Transition(
-                                transition.source(),
-                                transition.target(),
+                        transition.with(
                                 transition.guard(),
                                 transition.matches(),
                                 sends,
-                                transition.assignments(),
-                                transition.span()));
+                                transition.assignments()));
             }
         }
         return changed;

@@ -33,6 +33,10 @@ public final class ComponentText {
         if (draw.chance(Features.UNBOUNDED, 10)) {
             type = draw.one("Integer", "String", "Double");
         }
+        if (draw.chance(Features.NUMBER_TYPES, 10)) {
+            type = draw.one("byte", "short", "char", "char", "Long", "float");
+            other = draw.chance(50) ? type : other;
+        }
         int delay = draw.chance(70) ? 1 : 0;
         List<Plug> plugs = new ArrayList<>();
         plugs.add(Plug.in("x", type, !events && draw.chance(20)));

@@ -15,6 +15,8 @@ public enum Features {
     EVENTS,
     /** Numbers without a range, texts, reals. */
     UNBOUNDED,
+    /** Java's other number types, and characters. */
+    NUMBER_TYPES,
     /** Ranges that may be left, divisions, completion error. */
     ERRORS,
     /** Components that are made of parts. */
@@ -26,7 +28,9 @@ public enum Features {
     /** Transitions that come before others. */
     RANKS,
     /** What is done one after the other, with choices. */
-    STATEMENTS;
+    STATEMENTS,
+    /** What is computed in each slice, without states. */
+    COMPUTED;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

@@ -2,6 +2,7 @@ package arcomat.laws.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A port as it is written.
@@ -11,6 +12,12 @@ import java.util.List;
  */
 public record Plug(
         String name, boolean input, String type, boolean total, int delay, boolean latched) {
+
+    private static final Set<String> UNRANGED =
+            Set.of("Double", "float", "byte", "short", "char", "Long");
+
+    /** Types in which nothing is calculated. */
+    private static final Set<String> CAST = Set.of("byte", "short", "char");
 
     static Plug in(String name, String type, boolean total) {
         return new Plug(name, true, type, total, 0, false);
@@ -60,6 +67,11 @@ public record Plug(
             case "Integer" -> List.of("0", "1", "2", "-1");
             case "String" -> List.of("\"\"", "\"a\"", "\"b\"");
             case "Double" -> List.of("0.0", "0.5", "1.5");
+            case "float" -> List.of("0.0f", "0.5f", "1.5f");
+            case "byte" -> List.of("0", "1", "127", "-128");
+            case "short" -> List.of("0", "1", "32767");
+            case "char" -> List.of("'a'", "'b'", "98", "'\\u0000'");
+            case "Long" -> List.of("0", "1L", "4294967297L", "-1");
             default -> throw new IllegalArgumentException(type);
         };
     }
@@ -69,6 +81,16 @@ public record Plug(
     }
 
     static boolean isNumber(String type) {
-        return type.startsWith("Integer") || type.equals("Double");
+        return type.startsWith("Integer") || UNRANGED.contains(type);
+    }
+
+    /** What is calculated is of the type, cut off where Java does so and the text says it. */
+    static String calculated(String type, String value) {
+        return CAST.contains(type) ? "(" + type + ") (" + value + ")" : value;
+    }
+
+    /** Whether a value with 1 more may be written as one of the type. */
+    static boolean isWhole(String type) {
+        return type.startsWith("Integer") || type.equals("Long") || CAST.contains(type);
     }
 }

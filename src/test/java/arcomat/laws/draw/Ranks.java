@@ -93,14 +93,6 @@ public final class Ranks {
         Span place = transition.span();
         String before = place.file().text().substring(0, place.start());
         Matcher rank = RANK.matcher(before.substring(before.lastIndexOf('\n') + 1));
-        return new Transition(
-                transition.source(),
-                transition.target(),
-                transition.guard(),
-                transition.matches(),
-                transition.sends(),
-                transition.assignments(),
-                rank.find() ? Integer.parseInt(rank.group(1)) : 0,
-                place);
+        return transition.withRank(rank.find() ? Integer.parseInt(rank.group(1)) : 0);
     }
 }

@@ -99,6 +99,7 @@ public final class NaiveQuestion {
         }
         List.of("", "a", "z").forEach(text -> pool.add(new Value.StringValue(text)));
         pool.add(new Value.IntegerValue(Integer.MAX_VALUE));
+        "`abcz\u0000".chars().forEach(c -> pool.add(new Value.CharacterValue((char) c)));
         List.of(0.0, 0.5, 1.5, Double.NaN).forEach(number -> pool.add(new Value.RealValue(number)));
         return List.copyOf(pool);
     }

@@ -75,16 +75,35 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
             case NEGATE ->
                     value instanceof Value.RealValue real
                             ? new Value.RealValue(-real.value())
-                            : new Value.IntegerValue((int) -whole(value));
+                            : new Value.IntegerValue(carried(-whole(value), unary.type()));
             case COMPLEMENT -> new Value.IntegerValue(~whole(value));
         };
     }
 
     private static Value cast(Value value, Type type) {
-        if (value != null && type instanceof Type.RealType) {
-            return new Value.RealValue(real(value));
+        if (value == null) {
+            return null;
         }
-        return value;
+        if (type instanceof Type.RealType real) {
+            double number = real(value);
+            return new Value.RealValue(real.single() ? (float) number : number);
+        }
+        if (value instanceof Value.RealValue) {
+            throw new UnsupportedOperationException("cutting off reals");
+        }
+        return type instanceof Type.CharacterType
+                ? new Value.CharacterValue((char) whole(value))
+                : new Value.IntegerValue(carried(whole(value), type));
+    }
+
+    /** What is left of a number in the bits of a type. */
+    private static long carried(long number, Type type) {
+        return switch (((Type.IntegerType) type).width()) {
+            case BYTE -> (byte) number;
+            case SHORT -> (short) number;
+            case INT -> (int) number;
+            case LONG -> number;
+        };
     }
 
     private Value binary(Expression.Binary binary) {
@@ -120,11 +139,12 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
             case LESS_OR_EQUAL -> truth(real(left) <= real(right));
             case GREATER -> truth(real(left) > real(right));
             case GREATER_OR_EQUAL -> truth(real(left) >= real(right));
-            default -> calculated(operator, left, right);
+            default -> calculated(binary, left, right);
         };
     }
 
-    private static Value calculated(BinaryOperator operator, Value left, Value right) {
+    private static Value calculated(Expression.Binary binary, Value left, Value right) {
+        BinaryOperator operator = binary.operator();
         if (left instanceof Value.RealValue) {
             throw new UnsupportedOperationException("calculating with reals");
         }
@@ -146,11 +166,13 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
                     case REMAINDER -> a % b;
                     default -> throw new AssertionError(operator);
                 };
-        return new Value.IntegerValue((int) result);
+        return new Value.IntegerValue(carried(result, binary.type()));
     }
 
     private static long whole(Value value) {
-        return ((Value.IntegerValue) value).value();
+        return value instanceof Value.CharacterValue letter
+                ? letter.value()
+                : ((Value.IntegerValue) value).value();
     }
 
     private static double real(Value value) {
@@ -161,7 +183,9 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
         if (left instanceof Value.RealValue a && right instanceof Value.RealValue b) {
             return a.value() == b.value();
         }
-        return left.equals(right);
+        boolean letters =
+                left instanceof Value.CharacterValue || right instanceof Value.CharacterValue;
+        return letters ? whole(left) == whole(right) : left.equals(right);
     }
 
     /** The value, if it is one of the type. */
@@ -191,13 +215,7 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
             }
             return all;
         }
-        Class<?> kind =
-                type instanceof Type.IntegerType
-                        ? Value.IntegerValue.class
-                        : type instanceof Type.RealType
-                                ? Value.RealValue.class
-                                : Value.StringValue.class;
-        pool.stream().filter(kind::isInstance).forEach(all::add);
+        pool.stream().filter(type::has).forEach(all::add);
         return all;
     }
 

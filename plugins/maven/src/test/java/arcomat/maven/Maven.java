@@ -18,6 +18,21 @@ final class Maven {
 
     private static final int SECONDS = 600;
 
+    private static final String MODULES =
+            """
+            <project xmlns="http://maven.apache.org/POM/4.0.0">
+              <modelVersion>4.0.0</modelVersion>
+              <groupId>shop</groupId>
+              <artifactId>all</artifactId>
+              <version>1</version>
+              <packaging>pom</packaging>
+              <modules>
+                <module>%s</module>
+                <module>%s</module>
+              </modules>
+            </project>
+            """;
+
     private Maven() {}
 
     /** What Maven printed. */
@@ -29,6 +44,16 @@ final class Maven {
         return Files.readString(Path.of("src/test/projects/shop/pom.xml"))
                 .replace("@repository@", repository)
                 .replace("@version@", System.getProperty("version"));
+    }
+
+    /** The same under another name. */
+    static String pom(String name) throws IOException {
+        return pom().replace("<artifactId>shop<", "<artifactId>" + name + "<");
+    }
+
+    /** A build of two modules; the second one may depend on the first. */
+    static String modules(String first, String second) {
+        return MODULES.formatted(first, second);
     }
 
     /**

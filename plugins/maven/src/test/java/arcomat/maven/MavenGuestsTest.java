@@ -21,21 +21,6 @@ class MavenGuestsTest {
     private static final Path LAB = Path.of("../../guests/lab/src/main");
     private static final Path CART = Path.of("../../guests/lab/src/test/arc/floor/Cart.arc");
 
-    private static final String MODULES =
-            """
-            <project xmlns="http://maven.apache.org/POM/4.0.0">
-              <modelVersion>4.0.0</modelVersion>
-              <groupId>shop</groupId>
-              <artifactId>all</artifactId>
-              <version>1</version>
-              <packaging>pom</packaging>
-              <modules>
-                <module>rules</module>
-                <module>robot</module>
-              </modules>
-            </project>
-            """;
-
     private static final String API =
             """
               <dependencies>
@@ -73,10 +58,10 @@ class MavenGuestsTest {
     }
 
     private static void write(Path folder) throws IOException {
-        Files.writeString(folder.resolve("pom.xml"), MODULES);
-        String pom = Maven.pom();
+        Files.writeString(folder.resolve("pom.xml"), Maven.modules("rules", "robot"));
+        String pom = Maven.pom("robot");
         copy(LAB, folder.resolve("rules/src/main"));
-        Files.writeString(folder.resolve("rules/pom.xml"), rules(pom));
+        Files.writeString(folder.resolve("rules/pom.xml"), rules());
         Path cart = folder.resolve("robot/src/main/arc/floor/Cart.arc");
         Files.createDirectories(cart.getParent());
         Files.copy(CART, cart);
@@ -84,21 +69,15 @@ class MavenGuestsTest {
         int end = pom.indexOf("<executions>", pom.indexOf(plugin));
         Files.writeString(
                 folder.resolve("robot/pom.xml"),
-                named(
-                        pom.substring(0, end) + GUEST.strip() + "\n        " + pom.substring(end),
-                        "robot"));
+                pom.substring(0, end) + GUEST.strip() + "\n        " + pom.substring(end));
     }
 
     /** Without models, and so without our plugin. */
-    private static String rules(String pom) {
+    private static String rules() throws IOException {
         String api = API.formatted(System.getProperty("version"));
-        return named(pom, "rules")
+        return Maven.pom("rules")
                 .replaceFirst("(?s)  <dependencies>.*?</dependencies>\n", api)
                 .replaceFirst("(?s)  <build>.*?</build>\n", "");
-    }
-
-    private static String named(String pom, String name) {
-        return pom.replace("<artifactId>shop<", "<artifactId>" + name + "<");
     }
 
     private static void copy(Path from, Path to) throws IOException {

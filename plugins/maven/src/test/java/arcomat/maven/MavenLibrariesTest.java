@@ -26,21 +26,6 @@ class MavenLibrariesTest {
             Path.of("../gradle/src/test/projects/shop/src/main/arc/shop");
     private static final String BUMPER = "parts/src/main/arc/shop/Bumper.arc";
 
-    private static final String MODULES =
-            """
-            <project xmlns="http://maven.apache.org/POM/4.0.0">
-              <modelVersion>4.0.0</modelVersion>
-              <groupId>shop</groupId>
-              <artifactId>all</artifactId>
-              <version>1</version>
-              <packaging>pom</packaging>
-              <modules>
-                <module>parts</module>
-                <module>robot</module>
-              </modules>
-            </project>
-            """;
-
     private static final String PARTS =
             """
               <dependencies>
@@ -71,22 +56,17 @@ class MavenLibrariesTest {
     }
 
     private static void write(Path folder) throws IOException {
-        Files.writeString(folder.resolve("pom.xml"), MODULES);
-        String pom = Maven.pom();
+        Files.writeString(folder.resolve("pom.xml"), Maven.modules("parts", "robot"));
         for (String model : List.of("Bumper.arc", "Gear.arc", "Shop.cd")) {
             copy(model, folder.resolve("parts"));
         }
         copy("Rover.arc", folder.resolve("robot"));
         Files.writeString(
                 folder.resolve("parts/pom.xml"),
-                named(pom, "parts").replace("<goal>jar</goal>", "<goal>models</goal>"));
+                Maven.pom("parts").replace("<goal>jar</goal>", "<goal>models</goal>"));
         Files.writeString(
                 folder.resolve("robot/pom.xml"),
-                named(pom, "robot").replaceFirst("  <dependencies>\n", PARTS));
-    }
-
-    private static String named(String pom, String name) {
-        return pom.replace("<artifactId>shop<", "<artifactId>" + name + "<");
+                Maven.pom("robot").replaceFirst("  <dependencies>\n", PARTS));
     }
 
     private static void copy(String model, Path project) throws IOException {

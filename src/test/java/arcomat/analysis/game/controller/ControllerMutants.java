@@ -8,6 +8,7 @@ import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
+import arcomat.model.Automaton.Send;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Component;
 
@@ -54,16 +55,11 @@ public final class ControllerMutants {
         int kind = random.nextInt(3);
         if (kind > 0) {
             int target = kind == 1 ? random.nextInt(automaton.states().size()) : old.target();
+            List<Send> sends = kind == 1 || total ? old.sends() : List.of();
             all.add(
                     position,
-                    new Transition(
-                            old.source(),
-                            target,
-                            old.guard(),
-                            old.matches(),
-                            kind == 1 || total ? old.sends() : List.of(),
-                            old.assignments(),
-                            old.span()));
+                    old.between(old.source(), target)
+                            .with(old.guard(), old.matches(), sends, old.assignments()));
         }
         return all;
     }

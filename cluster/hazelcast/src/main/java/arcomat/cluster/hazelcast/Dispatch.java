@@ -28,13 +28,12 @@ import java.util.UUID;
  */
 final class Dispatch {
     /**
-     * Trials that a worker holds for each of its threads: it goes on with the next ones while its
-     * answers travel. What it holds is made again if it dies.
+     * Trials that a worker holds for each of its threads. What it holds is made again if it dies.
      */
-    private static final int HELD = 16;
+    private static final int HELD = 32;
 
-    /** Trials of one message at most. */
-    private static final int BATCH = 32;
+    /** Trials of one message at most: a worker goes on with the next ones while answers travel. */
+    private static final int BATCH = HELD / 2;
 
     /** A trial that so many workers went with is given up; the last of them had no other one. */
     static final int LOSSES = 3;
