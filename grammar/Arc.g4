@@ -51,7 +51,7 @@ element
     | autoinstantiate
     | invariant
     | behaviour
-    | javaPart
+    | computation
     | variables                                                             // last: begins with any type
     ;
 
@@ -114,8 +114,10 @@ variables
     | plainType variable (',' variable)* ';'                                # plainVariables
     ;
 
-javaPart
-    : keyword = ('compute' | 'init') name? javaBlock
+// Statements where they are some; the tools of 2017 had Java there.
+computation
+    : stereotypes? keyword = 'compute' name? (statements | javaBlock)
+    | keyword = 'init' name? (statements | javaBlock)
     ;
 
 implementation

@@ -17,6 +17,7 @@ public sealed interface Element extends Node
                 Element.Autoinstantiate,
                 Element.Invariant,
                 Element.Variables,
+                Element.Start,
                 Element.JavaPart {
     /** Takes the sum apart: one step for each form, and the compiler asks for all of them. */
     void accept(Visitor visitor);
@@ -42,6 +43,8 @@ public sealed interface Element extends Node
         void invariant(Invariant invariant);
 
         void variables(Variables variables);
+
+        void start(Start start);
 
         void javaPart(JavaPart part);
     }
@@ -167,6 +170,14 @@ public sealed interface Element extends Node
         @Override
         public void accept(Visitor visitor) {
             visitor.variables(this);
+        }
+    }
+
+    /** {@code init {..}}: done before the first slice, by the {@code compute} beside it. */
+    record Start(Span span, Optional<Name> name, Statement.Sequence statements) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.start(this);
         }
     }
 

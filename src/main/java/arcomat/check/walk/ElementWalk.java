@@ -69,6 +69,10 @@ record ElementWalk(StereotypeWalk stereotypes, ExpressionWalk expressions, Conte
     @Override
     public void invariant(Element.Invariant invariant) {}
 
+    /** Walked with the automaton that it is the start of. */
+    @Override
+    public void start(Element.Start start) {}
+
     /** Has neither types nor stereotypes that are looked at. */
     @Override
     public void javaPart(Element.JavaPart part) {}

@@ -20,6 +20,7 @@ import java.util.Optional;
 final class ComponentBuilder extends TreeBuilder<Element> {
     private final AutomatonBuilder automata;
     private final BlockBuilder.ValueBuilder values;
+    private final Computations computations;
     private final List<Token> tokens;
 
     /**
@@ -32,6 +33,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
             List<Token> tokens) {
         super(phrases);
         this.automata = automata;
+        this.computations = new Computations(phrases, automata.statements);
         this.values = values;
         this.tokens = tokens;
     }
@@ -55,7 +57,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 optional(context.superArguments, phrases.expressions::given),
                 phrases.qualifiedNames(context.refined),
                 optional(context.namedInstance(), this::namedInstance),
-                buildAll(context.element()));
+                Computations.begun(buildAll(context.element())));
     }
 
     private static boolean hasModifier(ArcomatParser.ComponentContext context, String word) {
@@ -209,15 +211,6 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 phrases.variables(context.variable()));
     }
 
-    @Override
-    public Element visitJavaPart(ArcomatParser.JavaPartContext context) {
-        return new Element.JavaPart(
-                span(context),
-                context.keyword.getText(),
-                phrases.optionalName(context.name()),
-                span(context.javaBlock()).text());
-    }
-
     // ---- behaviour languages --------------------------------------------------------------
 
     @Override
@@ -240,6 +233,11 @@ final class ComponentBuilder extends TreeBuilder<Element> {
     private IoTable.Row row(ArcomatParser.RowContext context) {
         return new IoTable.Row(
                 span(context), values.buildAll(context.inputs), values.buildAll(context.outputs));
+    }
+
+    @Override
+    public Element visitComputation(ArcomatParser.ComputationContext context) {
+        return computations.element(context);
     }
 
     @Override

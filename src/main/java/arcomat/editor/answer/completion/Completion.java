@@ -28,8 +28,8 @@ public final class Completion {
     /** What the grammar takes for the sake of old models, and nobody should begin with. */
     private static final Set<String> OUTDATED =
             Set.of(
-                    "boolean", "byte", "call", "char", "compute", "double", "float", "init", "int",
-                    "long", "new", "null", "short");
+                    "boolean", "byte", "call", "char", "double", "float", "int", "long", "new",
+                    "null", "short");
 
     /** A word that behaviours begin with, and only behaviours of components. */
     private static final String BEHAVIOUR = "table";

@@ -1,0 +1,62 @@
+package lamp;
+
+import lamp.Colours.Colour;
+import lamp.Colours.Wish;
+
+/** States within states: what is left, what is entered, and which transition comes first. */
+component Lamp {
+    timing instant;
+    port in Wish wish;
+    port out Colour colour, out Integer left, out Integer entered;
+    Integer exits = 0;
+    Integer entries = 0;
+    <<completion = "ignore">> automaton {
+        state Off, Red, Amber, Green, Open, Hidden;
+        initial Off;
+        Off -> Red [wish == Wish.GO] / do {
+            colour = Colour.RED;
+            entries = entries + 10;
+            entered = entries;
+        };
+        Off [wish == -- || wish != Wish.GO] / do {
+            colour = Colour.DARK;
+        };
+        Red -> Amber [wish == Wish.GO] / do {
+            exits += 100;
+        };
+        Red -> Off [(wish == Wish.OFF || wish == Wish.STOP) && (wish == -- || wish != Wish.GO)]
+                / do {
+            exits += 100;
+            exits++;
+            left = exits;
+        };
+        Amber -> Green / do {
+            colour = Colour.AMBER;
+            entries++;
+        };
+        Green -> Red [wish == Wish.STOP] / do {
+            colour = Colour.RED;
+        };
+        Green -> Off [(wish == Wish.OFF || wish == Wish.STOP)
+                && (wish == -- || !(wish == Wish.STOP)) && (wish == -- || wish != Wish.STOP)] / do {
+            exits++;
+            left = exits;
+        };
+        Green [(wish == -- || !(wish == Wish.STOP)) && (wish == -- || wish != Wish.STOP)
+                && ((wish == -- || wish != Wish.OFF) && (wish == -- || wish != Wish.STOP))] / do {
+            colour = Colour.GREEN;
+        };
+        Open -> Hidden [wish == Wish.GO];
+        Open -> Off [(wish == Wish.OFF || wish == Wish.STOP) && (wish == -- || wish != Wish.GO)]
+                / do {
+            exits++;
+            left = exits;
+        };
+        Hidden -> Hidden [wish == Wish.GO];
+        Hidden -> Off [(wish == Wish.OFF || wish == Wish.STOP) && (wish == -- || wish != Wish.GO)]
+                / do {
+            exits++;
+            left = exits;
+        };
+    }
+}
