@@ -200,7 +200,7 @@ final class ComponentWriter {
                     Lack.MODES,
                     element,
                     "modes are not converted: what is connected does not change while a model"
-                        + " runs");
+                            + " runs");
         } else if (element instanceof MontiArc7Parser.FeatureElementContext
                 || element instanceof MontiArc7Parser.VariationElementContext
                 || element instanceof MontiArc7Parser.ConstraintElementContext) {

@@ -127,7 +127,7 @@ final class MachineWriter {
                                 Lack.NEVER,
                                 transition,
                                 "this transition is never taken, one before it always is; it is"
-                                    + " left out");
+                                        + " left out");
             }
             return "";
         }
