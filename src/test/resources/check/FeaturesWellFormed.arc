@@ -65,3 +65,16 @@ component GoodFeatures {
   feature a, b, c, d, e, f, g;
   constraint g;
 }
+
+//// Start.arc
+component Start {
+  feature slow;
+
+  timing instant;
+
+  port in Integer a, out Integer b;
+
+  init { }
+//~~~~~~~~ error ARC0150: 'init' belongs to no 'compute' here; write it between the same braces as the 'compute' that it begins
+  varif (slow) { compute { b = a; } } else { compute { b = 2; } }
+}

@@ -1,6 +1,10 @@
 // MontiArc 7, as far as it is converted. What is recognised only to be refused stands here too, so that findings can name it.
 grammar MontiArc7;
 
+mapping: 'mapping' name '{' mapPart* '}' EOF;
+mapPart: kind=('inputMap' | 'outputMap' | 'stateMap') '{' mapEntry* '}';
+mapEntry: expression '==>' expression ';';
+
 unit: ('package' qname ';')? importing* component ';'? EOF;
 importing: 'import' qname ('.' '*')? ';';
 qname: name ('.' name)*;
@@ -47,7 +51,7 @@ typeArguments: '<' (type | '?') (',' (type | '?'))* '>';
 machineElement
     : stereo* beginning? 'final'? beginning? 'state' name ('{' machineElement* '}')? ';'?                      # stateElement
     | kind=('entry' | 'exit' | 'do') '/' statement ';'?                               # actionElement
-    | qname '->' qname ('[' expression ']')? (qname)? ('/' statement | ';')           # transitionElement
+    | stereo* qname '->' qname ('[' expression ']')? (qname)? ('/' statement | ';')   # transitionElement
     | ';'                                                                             # emptyMachineElement
     ;
 beginning: 'initial' ('/'? block)?;
@@ -73,6 +77,7 @@ expression
     | expression '.' name                                                    # memberExpression
     | expression '(' (expression (',' expression)*)? ')'                     # callExpression
     | expression '[' expression ']'                                          # indexExpression
+    | '[' (expression (',' expression)*)? ']'                                 # listExpression
     | 'new' type .*? '(' (expression (',' expression)*)? ')'                 # newExpression
     | op=('!' | '-' | '+' | '~') expression                                  # prefixExpression
     | '(' type ')' expression                                                # castExpression
@@ -94,7 +99,7 @@ literal: Number | Text | Letter | 'true' | 'false' | 'null';
 // Words that are names elsewhere.
 name
     : Name | 'in' | 'out' | 'port' | 'sync' | 'timed' | 'untimed' | 'delayed' | 'mode' | 'automaton' | 'compute' | 'init'
-    | 'feature' | 'constraint' | 'timing' | 'autoconnect' | 'autoinstantiate' | 'state' | 'initial' | 'entry' | 'exit'
+    | 'mapping' | 'inputMap' | 'outputMap' | 'stateMap' | 'feature' | 'constraint' | 'timing' | 'autoconnect' | 'autoinstantiate' | 'state' | 'initial' | 'entry' | 'exit'
     ;
 
 Number: [0-9] [0-9_]* ('.' [0-9]+)? ([eE] [+-]? [0-9]+)? [lLfFdD]? | '0' [xX] [0-9a-fA-F]+ [lL]?;

@@ -8,6 +8,7 @@ import montiarc7.MontiArc7Parser.EmptyStatementContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
 import montiarc7.MontiArc7Parser.IfStatementContext;
 import montiarc7.MontiArc7Parser.LocalStatementContext;
+import montiarc7.MontiArc7Parser.MemberExpressionContext;
 import montiarc7.MontiArc7Parser.NameExpressionContext;
 import montiarc7.MontiArc7Parser.StatementContext;
 import montiarc7.MontiArc7Parser.StepStatementContext;
@@ -15,6 +16,7 @@ import montiarc7.MontiArc7Parser.VariableContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -153,15 +155,46 @@ final class ActionWriter {
         return name;
     }
 
+    /**
+     * Choices about inputs of which at most one is made, which actions between them cannot change.
+     */
+    private boolean isApart(StatementContext statement, List<IfStatementContext> others) {
+        return statement instanceof IfStatementContext choice
+                && choice.statement().size() == 1
+                && isOfInputs(choice.expression())
+                && others.stream()
+                        .allMatch(each -> guards.exclude(each.expression(), choice.expression()));
+    }
+
+    private boolean isOfInputs(ExpressionContext expression) {
+        if (expression instanceof MemberExpressionContext member) {
+            return expressions.isConstant(member);
+        }
+        if (expression instanceof NameExpressionContext name) {
+            return scope.inputs().contains(name.getText());
+        }
+        return expression.children.stream()
+                .filter(ExpressionContext.class::isInstance)
+                .allMatch(each -> isOfInputs((ExpressionContext) each));
+    }
+
     /** How often each output port is sent at most. */
     private Map<String, Integer> sends(ParserRuleContext action) {
         Map<String, Integer> all = new HashMap<>();
         if (action instanceof BlockStatementContext block) {
             return sends(block.block());
         } else if (action instanceof BlockContext block) {
+            List<IfStatementContext> apart = new ArrayList<>();
+            Map<String, Integer> most = new HashMap<>();
             for (StatementContext each : block.statement()) {
-                sends(each).forEach((port, count) -> all.merge(port, count, Integer::sum));
+                if (isApart(each, apart)) {
+                    apart.add((IfStatementContext) each);
+                    sends(each).forEach((port, count) -> most.merge(port, count, Integer::max));
+                } else {
+                    sends(each).forEach((port, count) -> all.merge(port, count, Integer::sum));
+                }
             }
+            most.forEach((port, count) -> all.merge(port, count, Integer::sum));
         } else if (action instanceof IfStatementContext choice) {
             for (StatementContext each : choice.statement()) {
                 sends(each).forEach((port, count) -> all.merge(port, count, Integer::max));

@@ -15,7 +15,7 @@ import java.util.HashSet;
 import java.util.Set;
 
 /** Expressions in Arcomat's words, and which input ports they read. */
-final class ExpressionWriter {
+class ExpressionWriter {
     private final Scope scope;
 
     ExpressionWriter(Scope scope) {
@@ -26,7 +26,7 @@ final class ExpressionWriter {
         if (expression instanceof LiteralExpressionContext literal) {
             return literal.getText().equals("null") ? "--" : literal.getText();
         } else if (expression instanceof NameExpressionContext name) {
-            return name.getText();
+            return port(name.getText());
         } else if (expression instanceof BracketExpressionContext bracket) {
             return "(" + write(bracket.expression()) + ")";
         } else if (expression instanceof PrefixExpressionContext prefix
@@ -55,6 +55,11 @@ final class ExpressionWriter {
         return unknown(expression);
     }
 
+    /** How a name is written. */
+    String port(String name) {
+        return name;
+    }
+
     private static boolean isEquals(CallExpressionContext call) {
         return call.expression().size() == 2
                 && call.expression(0) instanceof MemberExpressionContext member
@@ -66,7 +71,7 @@ final class ExpressionWriter {
     }
 
     /** A constant of an enum, with the type that it has. */
-    private String member(MemberExpressionContext member) {
+    String member(MemberExpressionContext member) {
         String owner = member.expression().getText();
         if (scope.types().refersToEnum(owner)) {
             return owner.substring(owner.lastIndexOf('.') + 1) + "." + member.name().getText();
@@ -74,7 +79,7 @@ final class ExpressionWriter {
         return owner.equals("this") ? member.name().getText() : unknown(member);
     }
 
-    private String unknown(ExpressionContext expression) {
+    final String unknown(ExpressionContext expression) {
         scope.lacks()
                 .missing(
                         Lack.EXPRESSION,
@@ -105,16 +110,21 @@ final class ExpressionWriter {
         }
     }
 
+    /** No message, or an empty list of them. */
+    static boolean isNothing(ExpressionContext expression) {
+        return expression.getText().equals("null") || expression.getText().equals("[]");
+    }
+
     /**
      * The port that a comparison asks for silence, or for a message; null where it asks neither.
      */
     static String silence(ExpressionContext expression) {
         if (expression instanceof BinaryExpressionContext binary
                 && binary.op.getText().matches("[!=]=")) {
-            if (binary.expression(1).getText().equals("null")) {
+            if (isNothing(binary.expression(1))) {
                 return binary.expression(0).getText();
             }
-            if (binary.expression(0).getText().equals("null")) {
+            if (isNothing(binary.expression(0))) {
                 return binary.expression(1).getText();
             }
         }

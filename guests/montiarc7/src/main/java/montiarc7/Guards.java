@@ -99,7 +99,7 @@ final class Guards {
         StringBuilder text = new StringBuilder();
         for (String port : new TreeSet<>(writer.reads(expression))) {
             if (!present.contains(port)) {
-                text.append(port).append(" == -- || ");
+                text.append(writer.port(port)).append(" == -- || ");
             }
         }
         boolean simple = text.isEmpty();

@@ -13,7 +13,9 @@ enum Lack {
     STRUCTURE("MONT0009"),
     OPAQUE("MONT0010"),
     START("MONT0011"),
-    NEVER("MONT0012");
+    NEVER("MONT0012"),
+    MAP("MONT0013"),
+    MAP_NOTE("MONT0014");
 
     private final String code;
 

@@ -7,8 +7,8 @@ import arcomat.source.Span;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashSet;
+import java.util.Set;
 
 /** What is wrong with one file: the first thing that is missing, and how much more there is. */
 final class Lacks {
@@ -16,7 +16,7 @@ final class Lacks {
 
     private final SourceFile file;
     private final Transcription transcription;
-    private final List<Told> notes = new ArrayList<>();
+    private final Set<Told> notes = new LinkedHashSet<>();
     private Told first;
     private int count;
 
@@ -28,6 +28,14 @@ final class Lacks {
     /** Of the same file, where what is wrong is told by somebody else. */
     Lacks unheard() {
         return new Lacks(file, transcription);
+    }
+
+    boolean isAny() {
+        return first != null;
+    }
+
+    Span whole() {
+        return file.span(0, 0);
     }
 
     void missing(Lack lack, ParserRuleContext place, String message) {

@@ -15,7 +15,11 @@ import java.util.Map;
 /** Reads a folder of MontiArc 7: components and class diagrams. */
 final class MontiArcImporter implements Importer {
     /** A component that was read. */
-    private record Component(Original original, MontiArcText text, Lacks lacks) {}
+    private record Component(Original original, MontiArcText text, Lacks lacks) {
+        MapSide side(Folder folder) {
+            return new MapSide(original.path(), text.unit(), folder, lacks.unheard());
+        }
+    }
 
     @Override
     public String kind() {
@@ -24,7 +28,7 @@ final class MontiArcImporter implements Importer {
 
     @Override
     public List<String> endings() {
-        return List.of(".arc", ".cd");
+        return List.of(".arc", ".cd", ".map");
     }
 
     @Override
@@ -42,7 +46,7 @@ final class MontiArcImporter implements Importer {
                 String name = folder.addDiagram(each.file().text()).orElse("");
                 String path = name.isEmpty() ? each.path() : name.replace('.', '/') + ".cd";
                 write(each.file(), path, each.file().text(), written, transcription);
-            } else {
+            } else if (each.path().endsWith(".arc")) {
                 Lacks lacks = new Lacks(each.file(), transcription);
                 MontiArcText text = MontiArcText.of(each.file(), lacks);
                 if (!lacks.tell()) {
@@ -52,6 +56,24 @@ final class MontiArcImporter implements Importer {
             }
         }
         components.forEach(each -> convert(each, folder, written, transcription));
+        List<MapSide> sides = components.stream().map(each -> each.side(folder)).toList();
+        for (Original each : originals) {
+            if (each.path().endsWith(".map")) {
+                Lacks lacks = new Lacks(each.file(), transcription);
+                String path = each.path().substring(0, each.path().lastIndexOf('/') + 1);
+                new MapReader(each.file(), lacks)
+                        .maps(sidesBelow(sides, path))
+                        .forEach(
+                                (name, map) ->
+                                        write(
+                                                each.file(),
+                                                name + ".arc",
+                                                map,
+                                                written,
+                                                transcription));
+                lacks.tell();
+            }
+        }
         folder.opaqueDiagram()
                 .ifPresent(
                         each ->
@@ -61,6 +83,11 @@ final class MontiArcImporter implements Importer {
                                         each,
                                         written,
                                         transcription));
+    }
+
+    /** A map is about components in its folder. */
+    private static List<MapSide> sidesBelow(List<MapSide> sides, String folder) {
+        return sides.stream().filter(each -> each.path().startsWith(folder)).toList();
     }
 
     private static void convert(

@@ -2,6 +2,7 @@ package montiarc7;
 
 import arcomat.source.SourceFile;
 
+import montiarc7.MontiArc7Parser.MappingContext;
 import montiarc7.MontiArc7Parser.UnitContext;
 
 import org.antlr.v4.runtime.BaseErrorListener;
@@ -26,15 +27,24 @@ final class MontiArcText {
 
     /** What cannot be read is told at the first place where it cannot. */
     static MontiArcText of(SourceFile file, Lacks lacks) {
+        MontiArc7Parser parser = parser(file, lacks);
+        return new MontiArcText(parser.unit(), (CommonTokenStream) parser.getTokenStream());
+    }
+
+    /** A map of MontiArc's conformance. */
+    static MappingContext mapping(SourceFile file, Lacks lacks) {
+        return parser(file, lacks).mapping();
+    }
+
+    private static MontiArc7Parser parser(SourceFile file, Lacks lacks) {
         MontiArc7Lexer lexer = new MontiArc7Lexer(CharStreams.fromString(file.text()));
-        CommonTokenStream tokens = new CommonTokenStream(lexer);
-        MontiArc7Parser parser = new MontiArc7Parser(tokens);
+        MontiArc7Parser parser = new MontiArc7Parser(new CommonTokenStream(lexer));
         BaseErrorListener listener = listener(lacks);
         lexer.removeErrorListeners();
         lexer.addErrorListener(listener);
         parser.removeErrorListeners();
         parser.addErrorListener(listener);
-        return new MontiArcText(parser.unit(), tokens);
+        return parser;
     }
 
     private static BaseErrorListener listener(Lacks lacks) {

@@ -133,6 +133,12 @@ final class TypeNames {
         return name;
     }
 
+    /** A type of messages by its full name, which nothing has to import. */
+    String full(TypeContext type) {
+        String name = message(type);
+        return imports.stream().filter(each -> each.endsWith("." + name)).findFirst().orElse(name);
+    }
+
     /** Whether a name stands for a type of a class diagram, which is imported then. */
     boolean refersToEnum(String name) {
         Optional<String> known = diagram(name);
@@ -154,7 +160,12 @@ final class TypeNames {
             if (isStar(each) || full.endsWith("." + plain)) {
                 String from = isStar(each) ? full : Folder.packageOf(full);
                 Optional<String> found =
-                        folder.diagram(from, plain).or(() -> folder.diagramIn(from, plain));
+                        folder.diagram(from, plain)
+                                .or(
+                                        () ->
+                                                folder.diagram(
+                                                        Folder.qualified(packageName, from), plain))
+                                .or(() -> folder.diagramIn(from, plain));
                 if (found.isPresent()) {
                     return found;
                 }

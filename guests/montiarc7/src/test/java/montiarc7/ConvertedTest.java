@@ -30,6 +30,21 @@ class ConvertedTest {
         assertThat(Tool.run(out, "check", ".")).doesNotContain("error");
     }
 
+    @Test
+    void mapsGiveTheVerdictsThatAreMeant() throws Exception {
+        Path models = MODELS.resolve("converted");
+        assertThat(refines(models, "Motor")).startsWith("holds: ");
+        assertThat(refines(models, "WeakMotor"))
+                .startsWith("fails: door.made.WeakMotor does not refine door.plan.Door")
+                .contains("2  power = 5                 weakMotor: Up");
+    }
+
+    private static String refines(Path models, String motor) throws Exception {
+        String map = "DoorsOf" + motor;
+        return Tool.run(
+                models, "refines", "--map", map, "door.made." + motor, "door.plan.Door", ".");
+    }
+
     private static Map<String, String> texts(Path root) throws IOException {
         Map<String, String> texts = new TreeMap<>();
         try (Stream<Path> files = Files.walk(root)) {

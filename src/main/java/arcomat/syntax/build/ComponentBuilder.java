@@ -227,13 +227,13 @@ final class ComponentBuilder extends TreeBuilder<Element> {
         return new Element.Variation(
                 span(context),
                 phrases.expressions.build(context.expression()),
-                buildAll(context.element()),
+                Computations.begun(buildAll(context.element())),
                 context.alternative() == null ? List.of() : alternative(context.alternative()));
     }
 
     private List<Element> alternative(ArcomatParser.AlternativeContext context) {
         return context.variation() == null
-                ? buildAll(context.element())
+                ? Computations.begun(buildAll(context.element()))
                 : List.of(visitVariation(context.variation()));
     }
 

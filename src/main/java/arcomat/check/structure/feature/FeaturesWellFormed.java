@@ -3,6 +3,7 @@ package arcomat.check.structure.feature;
 import arcomat.check.law.Check;
 import arcomat.symbols.names.Configuration;
 import arcomat.symbols.names.Variants;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
 import arcomat.tree.Expression;
@@ -72,6 +73,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
      */
     private static void body(
             List<Element> elements, Configuration features, int depth, Findings findings) {
+        startBesideComputation(elements, depth, findings);
         for (Element each : elements) {
             if (each instanceof Element.Variation variation) {
                 condition(variation.condition(), features, findings);
@@ -82,6 +84,24 @@ public final class FeaturesWellFormed implements Check.OnUnit {
             } else {
                 declaration(each, features, depth, findings);
             }
+        }
+    }
+
+    /** What begins a computation is put together with it before anybody chooses features. */
+    private static void startBesideComputation(
+            List<Element> elements, int depth, Findings findings) {
+        boolean varied =
+                depth > 0 || elements.stream().anyMatch(Element.Variation.class::isInstance);
+        if (varied && elements.stream().noneMatch(Behaviour.Computation.class::isInstance)) {
+            elements.stream()
+                    .filter(Element.Start.class::isInstance)
+                    .forEach(
+                            start ->
+                                    findings.report(
+                                            start,
+                                            "'init' belongs to no 'compute' here; write it between"
+                                                    + " the same braces as the 'compute' that it"
+                                                    + " begins"));
         }
     }
 
