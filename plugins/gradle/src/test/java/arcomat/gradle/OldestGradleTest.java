@@ -54,8 +54,16 @@ class OldestGradleTest {
     }
 
     @Test
-    void givesModelsToOtherProjects() {
-        shop.append("build.gradle", "tasks.register('models') { dependsOn 'modelsJar' }\n");
-        assertThat(outcomes(shop.build("models", "simulateArc"))).contains(":modelsJar SUCCESS");
+    void givesModelsToAnotherProject(@TempDir Path two) {
+        String robot = "dependencies { arcomatModels project(':parts') }";
+        ConsumerProject projects = ConsumerProject.shopOfTwo(two, "", robot).by(HOME);
+        projects.write(
+                "robot/src/main/java/shop/Lap.java", projects.read("src/main/java/shop/Lap.java"));
+        assertThat(outcomes(projects.build("assemble")))
+                .contains(
+                        ":parts:modelsJar SUCCESS",
+                        ":robot:unpackArcModels SUCCESS",
+                        ":robot:compileJava SUCCESS",
+                        ":robot:nxtJar SUCCESS");
     }
 }
