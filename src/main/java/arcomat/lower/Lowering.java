@@ -68,9 +68,9 @@ public final class Lowering {
     }
 
     private List<StreamTest> tests() {
-        StreamTestLowering lowering = new StreamTestLowering(components, workspace.delays());
         return workspace.testSuites().stream()
-                .flatMap(suite -> lowering.lower(suite).stream())
+                .map(suite -> new StreamTestLowering(components, workspace.delays(), suite))
+                .flatMap(lowering -> lowering.lower().stream())
                 .toList();
     }
 }

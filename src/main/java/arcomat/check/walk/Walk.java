@@ -123,6 +123,7 @@ public final class Walk {
                 expressions.type(field.type(), context);
             }
         }
+        suite.fields().forEach(field -> expressions.variable(field, context));
         for (StreamTestSymbol test : suite.tests()) {
             streamTest(test, context);
         }

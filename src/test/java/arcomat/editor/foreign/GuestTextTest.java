@@ -74,7 +74,8 @@ class GuestTextTest {
         Guests.Language known =
                 new Guests.Language(
                         "lamps", "blink", List.of(), new TreeMap<>(language.words()), language);
-        Guests guests = new Guests(LawBook.OWN, List.of(), List.of(known), List.of());
+        Guests guests =
+                new Guests(LawBook.OWN, List.of(), List.of(known), List.of(), List.of(), List.of());
         SourceFile file = new SourceFile("p/Lamp.arc", text);
         OpenModels models =
                 OpenModels.in(Path.of("models").toAbsolutePath(), false, guests)
