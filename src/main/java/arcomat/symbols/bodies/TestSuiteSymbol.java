@@ -5,7 +5,7 @@ import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.ComponentDeclaration;
-import arcomat.symbols.names.Configuration;
+import arcomat.symbols.names.FeatureChoice;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
@@ -43,7 +43,7 @@ public final class TestSuiteSymbol {
                                                 named ->
                                                         named.chosen(
                                                                 node.arguments(),
-                                                                Configuration.NONE))
+                                                                FeatureChoice.NONE))
                                         .map(components));
     }
 

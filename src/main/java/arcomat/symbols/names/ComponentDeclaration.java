@@ -20,15 +20,15 @@ public final class ComponentDeclaration {
     private final String qualifiedName;
     private final List<ComponentDeclaration> inner;
     private final List<TypeVariable> typeParameters;
-    private final Configuration configuration;
+    private final FeatureChoice configuration;
     private final Optional<Variants> variants;
-    private final Map<Configuration, ComponentDeclaration> configurations;
+    private final Map<FeatureChoice, ComponentDeclaration> configurations;
 
     private ComponentDeclaration(
             UnitScope scope,
             Component node,
             Optional<ComponentDeclaration> enclosing,
-            Configuration configuration,
+            FeatureChoice configuration,
             Optional<Variants> variants) {
         this.scope = scope;
         this.node = node;
@@ -65,17 +65,17 @@ public final class ComponentDeclaration {
                 scope,
                 variants.map(Variants::everything).orElse(node),
                 Optional.empty(),
-                Configuration.NONE,
+                FeatureChoice.NONE,
                 variants);
     }
 
     /** None where there are too many: that is an error. */
-    private static Map<Configuration, ComponentDeclaration> inConfigurations(
+    private static Map<FeatureChoice, ComponentDeclaration> inConfigurations(
             UnitScope scope, Variants variants) {
-        Map<Configuration, ComponentDeclaration> all = new LinkedHashMap<>();
-        List<Configuration> configurations = variants.configurations();
+        Map<FeatureChoice, ComponentDeclaration> all = new LinkedHashMap<>();
+        List<FeatureChoice> configurations = variants.configurations();
         if (configurations.size() <= Variants.MOST) {
-            for (Configuration each : configurations) {
+            for (FeatureChoice each : configurations) {
                 all.put(
                         each,
                         new ComponentDeclaration(
@@ -90,7 +90,7 @@ public final class ComponentDeclaration {
     }
 
     /** What it is one of the configurations of; what has no features is in none. */
-    public Configuration configuration() {
+    public FeatureChoice configuration() {
         return configuration;
     }
 
@@ -122,9 +122,9 @@ public final class ComponentDeclaration {
      *
      * @param around the configuration of the component that has the arguments
      */
-    public ComponentDeclaration chosen(List<Argument> arguments, Configuration around) {
+    public ComponentDeclaration chosen(List<Argument> arguments, FeatureChoice around) {
         return configurations.getOrDefault(
-                Configuration.chosen(features(), arguments, around), this);
+                FeatureChoice.chosen(features(), arguments, around), this);
     }
 
     /** The arguments that are for parameters and not for features. */

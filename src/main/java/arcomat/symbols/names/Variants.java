@@ -49,12 +49,9 @@ public record Variants(Component node, List<Name> features, List<Expression> con
     }
 
     private static boolean isVaried(Component node) {
-        return node.elements().stream()
-                .anyMatch(
-                        each ->
-                                each instanceof Element.Features
-                                        || each instanceof Element.Variation
-                                        || each instanceof Component inner && isVaried(inner));
+        return !node.elements(Element.Features.class).isEmpty()
+                || !node.elements(Element.Variation.class).isEmpty()
+                || node.elements(Component.class).stream().anyMatch(Variants::isVaried);
     }
 
     private static List<Name> firsts(Component node) {
@@ -74,35 +71,35 @@ public record Variants(Component node, List<Name> features, List<Expression> con
      * more, and none of more features than {@link #MOST_FEATURES}. A constraint without a truth
      * forbids none.
      */
-    public List<Configuration> configurations() {
+    public List<FeatureChoice> configurations() {
         return features.size() > MOST_FEATURES
                 ? List.of()
                 : all().filter(this::isAllowed).limit(MOST + 1L).toList();
     }
 
     /** All choices, true before false, the first feature slowest. */
-    private Stream<Configuration> all() {
+    private Stream<FeatureChoice> all() {
         int count = 1 << features.size();
         return Stream.iterate(count - 1, number -> number >= 0, number -> number - 1)
                 .map(this::numbered);
     }
 
-    private Configuration numbered(int number) {
+    private FeatureChoice numbered(int number) {
         Map<String, Boolean> choices = new LinkedHashMap<>();
         for (int i = 0; i < features.size(); i++) {
             boolean chosen = (number >> (features.size() - 1 - i) & 1) == 1;
             choices.put(features.get(i).text(), chosen);
         }
-        return new Configuration(choices);
+        return new FeatureChoice(choices);
     }
 
     /** Whether no constraint forbids a configuration. */
-    public boolean isAllowed(Configuration configuration) {
+    public boolean isAllowed(FeatureChoice configuration) {
         return constraints.stream().allMatch(each -> configuration.holds(each).orElse(true));
     }
 
     /** What one configuration has. */
-    public Component node(Configuration configuration) {
+    public Component node(FeatureChoice configuration) {
         return with(node, each -> configuration.holds(each.condition()).orElse(true), false);
     }
 

@@ -6,7 +6,7 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.names.ComponentDeclaration;
-import arcomat.symbols.names.Configuration;
+import arcomat.symbols.names.FeatureChoice;
 import arcomat.symbols.names.Variants;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Argument;
@@ -29,7 +29,7 @@ public final class FeaturesChosen
         implements Check.OnComponent, Check.OnInstance, Check.OnTestSuite {
 
     /** Somewhere that a component is named, with arguments. */
-    private record Use(Node place, List<Argument> arguments, Configuration around) {}
+    private record Use(Node place, List<Argument> arguments, FeatureChoice around) {}
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -71,7 +71,7 @@ public final class FeaturesChosen
 
     @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
-        Use use = new Use(suite.node().component(), suite.node().arguments(), Configuration.NONE);
+        Use use = new Use(suite.node().component(), suite.node().arguments(), FeatureChoice.NONE);
         suite.component().found().ifPresent(type -> check(use, type.declaration(), findings));
     }
 
@@ -91,7 +91,7 @@ public final class FeaturesChosen
     }
 
     private static void once(
-            List<Argument> arguments, Configuration configuration, Findings findings) {
+            List<Argument> arguments, FeatureChoice configuration, Findings findings) {
         Map<String, Argument> seen = new HashMap<>();
         for (Argument argument : arguments) {
             Optional<Name> feature =
@@ -142,8 +142,8 @@ public final class FeaturesChosen
     }
 
     private static void forbidden(Use use, Variants variants, Findings findings) {
-        Configuration chosen =
-                Configuration.chosen(variants.names(), use.arguments(), use.around());
+        FeatureChoice chosen =
+                FeatureChoice.chosen(variants.names(), use.arguments(), use.around());
         variants.constraints().stream()
                 .filter(each -> !chosen.holds(each).orElse(true))
                 .findFirst()

@@ -1,7 +1,7 @@
 package arcomat.check.structure.feature;
 
 import arcomat.check.law.Check;
-import arcomat.symbols.names.Configuration;
+import arcomat.symbols.names.FeatureChoice;
 import arcomat.symbols.names.Variants;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
@@ -34,7 +34,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
         namesUnique(component, findings);
         Map<String, Boolean> choices = new LinkedHashMap<>();
         variants.names().forEach(name -> choices.put(name, true));
-        body(component.elements(), new Configuration(choices), 0, findings);
+        body(component.elements(), new FeatureChoice(choices), 0, findings);
         if (isTooMany(variants)) {
             findings.report(
                     variants.features().get(variants.features().size() - 1),
@@ -72,7 +72,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
      * @param depth how many components and conditions are around the elements
      */
     private static void body(
-            List<Element> elements, Configuration features, int depth, Findings findings) {
+            List<Element> elements, FeatureChoice features, int depth, Findings findings) {
         startBesideComputation(elements, depth, findings);
         for (Element each : elements) {
             if (each instanceof Element.Variation variation) {
@@ -106,7 +106,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
     }
 
     private static void declaration(
-            Element element, Configuration features, int depth, Findings findings) {
+            Element element, FeatureChoice features, int depth, Findings findings) {
         boolean aboutFeatures =
                 element instanceof Element.Features || element instanceof Element.Constraint;
         if (aboutFeatures && depth > 0) {
@@ -119,7 +119,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
         }
     }
 
-    private static void condition(Expression condition, Configuration features, Findings findings) {
+    private static void condition(Expression condition, FeatureChoice features, Findings findings) {
         if (features.holds(condition).isEmpty()) {
             findings.report(
                     condition,

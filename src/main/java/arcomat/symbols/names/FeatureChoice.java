@@ -15,17 +15,17 @@ import java.util.stream.Collectors;
  *
  * @param choices by the names of the features, in their order
  */
-public record Configuration(Map<String, Boolean> choices) {
+public record FeatureChoice(Map<String, Boolean> choices) {
     /** Of what has no features. */
-    public static final Configuration NONE = new Configuration(Map.of());
+    public static final FeatureChoice NONE = new FeatureChoice(Map.of());
 
-    public Configuration {
+    public FeatureChoice {
         choices = Collections.unmodifiableMap(new LinkedHashMap<>(choices));
     }
 
     /** What arguments choose, for components around with a configuration of their own. */
-    public static Configuration chosen(
-            List<String> features, List<Argument> arguments, Configuration around) {
+    public static FeatureChoice chosen(
+            List<String> features, List<Argument> arguments, FeatureChoice around) {
         Map<String, Boolean> choices = new LinkedHashMap<>();
         for (String feature : features) {
             arguments.stream()
@@ -34,7 +34,7 @@ public record Configuration(Map<String, Boolean> choices) {
                     .flatMap(each -> around.holds(each.value()))
                     .ifPresent(choice -> choices.put(feature, choice));
         }
-        return new Configuration(choices);
+        return new FeatureChoice(choices);
     }
 
     private static boolean isFor(String feature, Argument argument) {
