@@ -61,7 +61,7 @@ final class MapReader {
                 Lack.MAP_NOTE,
                 mapping.name(),
                 "states are not compared: 'refines --map' asks about runs from the initial states"
-                    + " on, so 'stateMap' is left out");
+                        + " on, so 'stateMap' is left out");
         List<String> left = states(entry -> entry.expression(0));
         List<String> right = states(entry -> entry.expression(1));
         for (MapSide each : concrete) {

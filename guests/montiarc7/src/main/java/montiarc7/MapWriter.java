@@ -91,7 +91,7 @@ final class MapWriter {
                         Lack.MAP_NOTE,
                         entry,
                         "this entry and one before it may be true together and demand different"
-                            + " things; the first one counts here");
+                                + " things; the first one counts here");
             }
         }
         String guard = parts.size() == 1 ? Guards.bare(parts.get(0)) : String.join(" && ", parts);
@@ -114,7 +114,7 @@ final class MapWriter {
                         Lack.MAP,
                         each,
                         "what an entry demands of the reference is the message of a port, or '[]'"
-                            + " for none");
+                                + " for none");
             }
         }
         return String.join(", ", messages);
