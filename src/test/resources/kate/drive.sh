@@ -29,7 +29,15 @@ export DISPLAY=:$(cat "$number")
 rm "$number"
 kate -n -l 11 -c 20 "$door" &
 editor=$!
-trap 'kill $editor $screen' EXIT
+# Until the server, which holds the lock, is gone as well.
+leave() {
+    kill $editor
+    wait $editor
+    flock -w 60 "$said.lock" true
+    kill $screen
+    wait $screen
+}
+trap 'leave 2>/dev/null' EXIT
 
 found() { grep -q '"code":"ARC0305"' "$said"; }
 await found

@@ -18,6 +18,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -179,7 +180,7 @@ final class ActionWriter {
     }
 
     /** How often each output port is sent at most. */
-    private Map<String, Integer> sends(ParserRuleContext action) {
+    Map<String, Integer> sends(ParserRuleContext action) {
         Map<String, Integer> all = new HashMap<>();
         if (action instanceof BlockStatementContext block) {
             return sends(block.block());
@@ -206,5 +207,23 @@ final class ActionWriter {
             }
         }
         return all;
+    }
+
+    /** The names that something is assigned to, but for ports. */
+    Set<String> assigned(ParserRuleContext action) {
+        Set<String> names = new HashSet<>();
+        if (action instanceof AssignStatementContext assign) {
+            names.add(assign.expression(0).getText());
+        } else if (action instanceof StepStatementContext step) {
+            names.add(step.expression().getText());
+        } else if (action.children != null) {
+            for (var child : action.children) {
+                if (child instanceof ParserRuleContext inner) {
+                    names.addAll(assigned(inner));
+                }
+            }
+        }
+        names.removeAll(scope.outputs());
+        return names;
     }
 }

@@ -260,12 +260,10 @@ final class ComponentWriter {
                 init().map(each -> new StartWriter(scope, delayed()).write(List.of(each)))
                         .orElse("");
         String done = new ActionWriter(scope).write(List.of(compute.block()));
-        return "<<completion = \"ignore\">> automaton {\nstate computing;\ninitial computing"
-                + (start.isBlank() ? "" : " / do {" + start + "}")
-                + ";\ncomputing"
-                + " -> computing"
-                + (done.isBlank() ? "" : " / do {" + done + "}")
-                + ";\n}\n";
+        return (start.isBlank() ? "" : "init {" + start + "}\n")
+                + "<<completion = \"ignore\">> compute {"
+                + done
+                + "}\n";
     }
 
     private Optional<BlockContext> init() {

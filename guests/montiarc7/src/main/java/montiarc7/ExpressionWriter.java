@@ -12,10 +12,19 @@ import montiarc7.MontiArc7Parser.NameExpressionContext;
 import montiarc7.MontiArc7Parser.PrefixExpressionContext;
 
 import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /** Expressions in Arcomat's words, and which input ports they read. */
 class ExpressionWriter {
+    private static final Map<String, String> LIMITS =
+            Map.of(
+                    "Integer.MAX_VALUE", "2147483647",
+                    "Integer.MIN_VALUE", "(-2147483647 - 1)",
+                    "Long.MAX_VALUE", "9223372036854775807L",
+                    "Long.MIN_VALUE", "(-9223372036854775807L - 1L)");
+
     private final Scope scope;
 
     ExpressionWriter(Scope scope) {
@@ -52,7 +61,33 @@ class ExpressionWriter {
             String left = write(((MemberExpressionContext) call.expression(0)).expression());
             return "(" + left + " == " + write(call.expression(1)) + ")";
         }
-        return unknown(expression);
+        return expression instanceof CallExpressionContext call ? call(call) : unknown(expression);
+    }
+
+    /** Java's functions that a choice can say. */
+    private String call(CallExpressionContext call) {
+        List<String> arguments = call.expression().stream().skip(1).map(this::bracketed).toList();
+        String function = call.expression(0).getText() + "/" + arguments.size();
+        if (!scope.lacks().hasWholeNumbersOnly()) {
+            return unknown(call); // NaN and -0.0 are no matter of a choice
+        }
+        return switch (function) {
+            case "Math.abs/1" -> choice(arguments.get(0), "<", "0", "-" + arguments.get(0));
+            case "Math.min/2" -> choice(arguments.get(0), "<=", arguments.get(1), arguments.get(0));
+            case "Math.max/2" -> choice(arguments.get(0), ">=", arguments.get(1), arguments.get(0));
+            default -> unknown(call);
+        };
+    }
+
+    private String bracketed(ExpressionContext expression) {
+        String text = write(expression);
+        return text.matches("\\w+") ? text : "(" + text + ")";
+    }
+
+    /** What is compared last is the other way. */
+    private static String choice(String left, String operator, String right, String then) {
+        String other = right.equals("0") ? left : right;
+        return "(%s %s %s ? %s : %s)".formatted(left, operator, right, then, other);
     }
 
     /** How a name is written. */
@@ -72,6 +107,10 @@ class ExpressionWriter {
 
     /** A constant of an enum, with the type that it has. */
     String member(MemberExpressionContext member) {
+        String limit = LIMITS.get(member.getText());
+        if (limit != null) {
+            return limit;
+        }
         String owner = member.expression().getText();
         if (scope.types().refersToEnum(owner)) {
             return owner.substring(owner.lastIndexOf('.') + 1) + "." + member.name().getText();

@@ -9,10 +9,14 @@ import org.antlr.v4.runtime.Token;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /** What is wrong with one file: the first thing that is missing, and how much more there is. */
 final class Lacks {
     private record Told(Lack lack, Span place, String message) {}
+
+    private static final Pattern FLOATING =
+            Pattern.compile("\\b([dD]ouble|[fF]loat)\\b|[0-9]\\.[0-9]");
 
     private final SourceFile file;
     private final Transcription transcription;
@@ -28,6 +32,11 @@ final class Lacks {
     /** Of the same file, where what is wrong is told by somebody else. */
     Lacks unheard() {
         return new Lacks(file, transcription);
+    }
+
+    /** Whether the file does not speak of Double or float. */
+    boolean hasWholeNumbersOnly() {
+        return !FLOATING.matcher(file.text()).find();
     }
 
     boolean isAny() {

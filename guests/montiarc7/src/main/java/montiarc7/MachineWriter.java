@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -48,70 +49,122 @@ final class MachineWriter {
                     .missing(Lack.STRUCTURE, place, "the automaton has no initial state; mark one");
             return "";
         }
-        written.append(
-                states.stream()
-                        .map(each -> each.name)
-                        .collect(Collectors.joining(", ", "state ", ";\n")));
         List<State> entered = Machine.beginning(machine.initial().get());
         State first = entered.get(entered.size() - 1);
         List<ParserRuleContext> actions = new ArrayList<>();
         before.ifPresent(actions::add);
-        for (State each : entered) {
-            each.beginning().ifPresent(actions::add);
-            add(actions, each, "entry");
+        entered.forEach(each -> each.beginning().ifPresent(actions::add));
+        List<ParserRuleContext> entries = new ArrayList<>();
+        entered.forEach(each -> add(entries, each, "entry"));
+        boolean isLate = !events && entriesAreSeen(entries);
+        if (!isLate) {
+            actions.addAll(entries);
         }
         String start = new StartWriter(scope, delayed).write(actions);
-        written.append("initial ").append(first.name);
+        String initial = isLate ? first.name + "AtFirst" : first.name;
+        written.append("state ").append(isLate ? initial + ", " : "");
+        written.append(states.stream().map(each -> each.name).collect(Collectors.joining(", ")));
+        written.append(";\ninitial ").append(initial);
         written.append(start.isBlank() ? ";\n" : " / do {" + start + "};\n");
-        states.forEach(each -> written.append(from(each)));
+        if (isLate) {
+            written.append(from(first, initial, entries));
+        }
+        states.forEach(each -> written.append(from(each, each.name, List.of())));
         return written.append("}\n").toString();
     }
 
-    private String from(State state) {
+    /**
+     * What the first state does when it is entered is a matter of the first slice, and seen there;
+     * what nobody sees may as well be done before.
+     */
+    private boolean entriesAreSeen(List<ParserRuleContext> entries) {
+        ActionWriter writer = new ActionWriter(scope);
+        if (entries.stream().allMatch(each -> writer.sends(each).isEmpty())) {
+            return false;
+        }
+        String guards =
+                machine.transitions().stream()
+                        .filter(each -> each.expression() != null)
+                        .map(each -> each.expression().getText())
+                        .collect(Collectors.joining(" "));
+        for (ParserRuleContext each : entries) {
+            for (String name : writer.assigned(each)) {
+                if (guards.matches("(?s).*\\b" + Pattern.quote(name) + "\\b.*")) {
+                    scope.lacks()
+                            .missing(
+                                    Lack.STATEMENT,
+                                    each,
+                                    "the entry of the first state sends, and changes '%s', which guards read in the same slice"
+                                            .formatted(name));
+                }
+            }
+        }
+        return true;
+    }
+
+    /**
+     * The steps from a state.
+     *
+     * @param name of the state, or of one that stands for it in the first slice
+     * @param entries what is done before, in the first slice
+     */
+    private String from(State state, String name, List<ParserRuleContext> entries) {
         StringBuilder written = new StringBuilder();
         List<TransitionElementContext> before = new ArrayList<>();
         for (State level : state.outwards()) {
             for (TransitionElementContext each : machine.from(level)) {
-                written.append(transition(state, level, each, before));
+                written.append(transition(new Step(state, name, entries, level), each, before));
                 before.add(each);
             }
         }
-        List<ParserRuleContext> meanwhile = new ArrayList<>();
-        List<State> inwards = new ArrayList<>(state.outwards());
-        Collections.reverse(inwards);
-        inwards.forEach(each -> add(meanwhile, each, "do"));
-        if (!meanwhile.isEmpty()) {
-            written.append(meanwhile(state, meanwhile, before));
+        List<ParserRuleContext> actions = new ArrayList<>(entries);
+        actions.addAll(meanwhile(state));
+        if (!actions.isEmpty()) {
+            written.append(stay(state, name, actions, before));
         }
         return written.toString();
     }
 
-    private String meanwhile(
-            State state, List<ParserRuleContext> actions, List<TransitionElementContext> before) {
-        if (events) {
+    /**
+     * Where a transition begins.
+     *
+     * @param source the state itself, or one around it
+     */
+    private record Step(State state, String name, List<ParserRuleContext> entries, State source) {
+        boolean isAsWritten() {
+            return state == source && entries.isEmpty();
+        }
+    }
+
+    /** What is done at the end of a slice in a state, from the outside in. */
+    private List<ParserRuleContext> meanwhile(State state) {
+        List<ParserRuleContext> actions = new ArrayList<>();
+        List<State> inwards = new ArrayList<>(state.outwards());
+        Collections.reverse(inwards);
+        inwards.forEach(each -> add(actions, each, "do"));
+        if (events && !actions.isEmpty()) {
             scope.lacks()
                     .missing(
                             Lack.STATEMENT,
                             state.place,
                             "'do' needs slices, and this automaton works by events");
-            return "";
         }
-        Optional<String> guard = guard(null, before, Set.of());
-        return guard.map(
-                        each ->
-                                state.name
-                                        + each
-                                        + " / do {"
-                                        + new ActionWriter(scope).write(actions)
-                                        + "};\n")
+        return actions;
+    }
+
+    private String stay(
+            State state,
+            String name,
+            List<ParserRuleContext> actions,
+            List<TransitionElementContext> before) {
+        String done = new ActionWriter(scope).write(actions);
+        return guard(null, before, Set.of())
+                .map(each -> "%s -> %s%s / do {%s};%n".formatted(name, state.name, each, done))
                 .orElse("");
     }
 
     private String transition(
-            State state,
-            State source,
-            TransitionElementContext transition,
-            List<TransitionElementContext> before) {
+            Step step, TransitionElementContext transition, List<TransitionElementContext> before) {
         Optional<State> target = machine.target(transition);
         if (target.isEmpty()) {
             return "";
@@ -121,7 +174,7 @@ final class MachineWriter {
                 before.stream().filter(each -> trigger(each).equals(trigger(transition))).toList();
         Optional<String> guard = guard(transition, same, present(transition));
         if (guard.isEmpty()) {
-            if (state == source) {
+            if (step.isAsWritten()) {
                 scope.lacks()
                         .note(
                                 Lack.NEVER,
@@ -133,11 +186,14 @@ final class MachineWriter {
         }
         List<State> entered = Machine.beginning(target.get());
         State end = entered.get(entered.size() - 1);
-        StringBuilder written = new StringBuilder(state == source ? text.comments(transition) : "");
-        written.append(state.name).append(" -> ").append(end.name).append(guard.get());
+        StringBuilder written =
+                new StringBuilder(step.isAsWritten() ? text.comments(transition) : "");
+        written.append(step.name()).append(" -> ").append(end.name).append(guard.get());
         trigger(transition).ifPresent(port -> written.append(" {").append(port).append(" == ?}"));
-        String done =
-                new ActionWriter(inside).write(actions(state, source, transition, target.get()));
+        List<ParserRuleContext> all = new ArrayList<>(step.entries());
+        all.addAll(actions(step.state(), step.source(), transition, target.get()));
+        all.addAll(meanwhile(end));
+        String done = new ActionWriter(inside).write(all);
         if (!done.isBlank()) {
             written.append(" / do {").append(done).append("}");
         }

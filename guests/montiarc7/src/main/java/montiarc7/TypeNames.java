@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 
 /** What the names of types in one file mean, and what the converted file has to import. */
 final class TypeNames {
-    /** Java's boxed and simple types are one here; small numbers are ranges. */
+    /** Java's boxed and simple types are one here. */
     private static final Map<String, String> OWN =
             Map.ofEntries(
                     Map.entry("int", "Integer"),
@@ -27,10 +27,10 @@ final class TypeNames {
                     Map.entry("Double", "Double"),
                     Map.entry("float", "float"),
                     Map.entry("Float", "float"),
-                    Map.entry("byte", "Integer[-128..127]"),
-                    Map.entry("Byte", "Integer[-128..127]"),
-                    Map.entry("short", "Integer[-32768..32767]"),
-                    Map.entry("Short", "Integer[-32768..32767]"),
+                    Map.entry("byte", "byte"),
+                    Map.entry("Byte", "byte"),
+                    Map.entry("short", "short"),
+                    Map.entry("Short", "short"),
                     Map.entry("char", "char"),
                     Map.entry("Character", "char"),
                     Map.entry("String", "String"));

@@ -7,18 +7,28 @@ import lamp.Colours.Wish;
 component Lamp {
     timing instant;
     port in Wish wish;
-    port out Colour colour, out Integer left, out Integer entered;
+    port out Colour colour, out Boolean blink, out Integer left, out Integer entered;
     Integer exits = 0;
     Integer entries = 0;
     <<completion = "ignore">> automaton {
-        state Off, Red, Amber, Green, Open, Hidden;
-        initial Off;
+        state OffAtFirst, Off, Red, Amber, Green, Open, Hidden;
+        initial OffAtFirst;
+        OffAtFirst -> Red [wish == Wish.GO] / do {
+            blink = false;
+            colour = Colour.RED;
+            entries = entries + 10;
+            entered = entries;
+        };
+        OffAtFirst -> Off [wish == -- || wish != Wish.GO] / do {
+            blink = false;
+            colour = Colour.DARK;
+        };
         Off -> Red [wish == Wish.GO] / do {
             colour = Colour.RED;
             entries = entries + 10;
             entered = entries;
         };
-        Off [wish == -- || wish != Wish.GO] / do {
+        Off -> Off [wish == -- || wish != Wish.GO] / do {
             colour = Colour.DARK;
         };
         Red -> Amber [wish == Wish.GO] / do {
@@ -29,10 +39,13 @@ component Lamp {
             exits += 100;
             exits++;
             left = exits;
+            blink = false;
+            colour = Colour.DARK;
         };
         Amber -> Green / do {
             colour = Colour.AMBER;
             entries++;
+            blink = true;
         };
         Green -> Red [wish == Wish.STOP] / do {
             colour = Colour.RED;
@@ -41,22 +54,28 @@ component Lamp {
                 && (wish == -- || !(wish == Wish.STOP)) && (wish == -- || wish != Wish.STOP)] / do {
             exits++;
             left = exits;
+            blink = false;
+            colour = Colour.DARK;
         };
-        Green [(wish == -- || !(wish == Wish.STOP)) && (wish == -- || wish != Wish.STOP)
+        Green -> Green [(wish == -- || !(wish == Wish.STOP)) && (wish == -- || wish != Wish.STOP)
                 && ((wish == -- || wish != Wish.OFF) && (wish == -- || wish != Wish.STOP))] / do {
-            colour = Colour.GREEN;
+            blink = true;
         };
         Open -> Hidden [wish == Wish.GO];
         Open -> Off [(wish == Wish.OFF || wish == Wish.STOP) && (wish == -- || wish != Wish.GO)]
                 / do {
             exits++;
             left = exits;
+            blink = false;
+            colour = Colour.DARK;
         };
         Hidden -> Hidden [wish == Wish.GO];
         Hidden -> Off [(wish == Wish.OFF || wish == Wish.STOP) && (wish == -- || wish != Wish.GO)]
                 / do {
             exits++;
             left = exits;
+            blink = false;
+            colour = Colour.DARK;
         };
     }
 }

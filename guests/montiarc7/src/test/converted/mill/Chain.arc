@@ -7,12 +7,8 @@ component Chain(Integer most, Integer offset = 1) extends Ends<Integer> {
     component Add(Integer by, Integer times = 1) {
         timing instant;
         port in Integer i, out Integer o;
-        <<completion = "ignore">> automaton {
-            state computing;
-            initial computing;
-            computing -> computing / do {
-                o = i + by * times;
-            };
+        <<completion = "ignore">> compute {
+            o = i + by * times;
         }
     }
     component Add(times = 2, by = offset) third;

@@ -6,13 +6,14 @@ import lamp.colours.Wish;
 /** States within states: what is left, what is entered, and which transition comes first. */
 component Lamp {
   port <<sync>> in Wish wish;
-  port <<sync>> out Colour colour, <<sync>> out int left, <<sync>> out int entered;
+  port <<sync>> out Colour colour, <<sync>> out boolean blink, <<sync>> out int left, <<sync>> out int entered;
 
   int exits = 0;
   int entries = 0;
 
   automaton {
     initial state Off {
+      entry / { blink = false; }
       do / { colour = Colour.DARK; }
     };
 
@@ -25,7 +26,7 @@ component Lamp {
       };
       state Free {
         initial state Amber;
-        state Green { entry / { entries++; } do / { colour = Colour.GREEN; } };
+        state Green { entry / { entries++; } do / { blink = true; } };
       };
       // one that begins nowhere in it
       state Open {

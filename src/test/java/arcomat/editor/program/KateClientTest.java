@@ -64,7 +64,7 @@ class KateClientTest {
         Path command =
                 write(
                         "bin/arcomat",
-                        "#!/bin/sh\n'%s' \"$@\" | tee '%s'\n"
+                        "#!/bin/sh\nexec 9>'%2$s.lock'\nflock 9\n'%1$s' \"$@\" | tee '%2$s'\n"
                                 .formatted(installed, folder.resolve("said.txt")));
         assertThat(command.toFile().setExecutable(true)).isTrue();
         write(
