@@ -51,7 +51,10 @@ element
     | autoinstantiate
     | invariant
     | behaviour
-    | javaPart
+    | computation
+    | features
+    | constraint
+    | variation
     | variables                                                             // last: begins with any type
     ;
 
@@ -114,8 +117,28 @@ variables
     | plainType variable (',' variable)* ';'                                # plainVariables
     ;
 
-javaPart
-    : keyword = ('compute' | 'init') name? javaBlock
+// What there are several kinds of a component for, and what each kind has.
+features
+    : 'feature' name (',' name)* ';'
+    ;
+
+constraint
+    : 'constraint' expression ';'
+    ;
+
+variation
+    : 'varif' '(' expression ')' '{' element* '}' ('else' alternative)?
+    ;
+
+alternative
+    : variation
+    | '{' element* '}'
+    ;
+
+// Statements where they are some; the tools of 2017 had Java there.
+computation
+    : stereotypes? keyword = 'compute' name? (statements | javaBlock)
+    | keyword = 'init' name? (statements | javaBlock)
     ;
 
 implementation

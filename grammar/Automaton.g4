@@ -62,10 +62,10 @@ block
     ;
 
 item
-    : name ('==' | '=') value
+    : name ('==' | '=') value ('|' value)*
     | 'call' expression
     | qualifiedName operator = ('++' | '--')
-    | value
+    | value ('|' value)*
     ;
 
 value

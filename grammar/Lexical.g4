@@ -27,12 +27,12 @@ name
     : ID
     | 'abstract' | 'aggregation' | 'alt' | 'association' | 'autoconnect' | 'autoinstantiate'
     | 'automaton' | 'behavior' | 'call' | 'causalsync' | 'class' | 'classdiagram' | 'component'
-    | 'composition' | 'compute' | 'connect' | 'delayed' | 'deploy' | 'derived' | 'do' | 'enum' | 'events'
-    | 'expect' | 'extends' | 'final' | 'for' | 'implementation' | 'implements' | 'import' | 'in'
+    | 'composition' | 'compute' | 'connect' | 'constraint' | 'delayed' | 'deploy' | 'derived' | 'do' | 'enum' | 'events'
+    | 'expect' | 'extends' | 'feature' | 'final' | 'for' | 'implementation' | 'implements' | 'import' | 'in'
     | 'init' | 'initial' | 'input' | 'instant' | 'interface' | 'inv' | 'off' | 'on' | 'out'
     | 'output' | 'package' | 'port' | 'ports' | 'private' | 'protected' | 'public' | 'refines'
     | 'state' | 'static' | 'super' | 'sync' | 'table' | 'test' | 'testsuite' | 'throws' | 'timing'
-    | 'type' | 'untimed' | 'var' | 'variable'
+    | 'type' | 'untimed' | 'var' | 'variable' | 'varif'
     ;
 
 literal

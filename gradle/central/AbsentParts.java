@@ -41,6 +41,16 @@ final class AbsentParts {
                     this.task = task;
                 }
 
+                /** For older versions. */
+                public IncrementalCompileTask(
+                        JavaCompiler.CompilationTask task,
+                        Function<File, Optional<String>> relativize,
+                        Consumer<Map<String, Set<String>>> classNameLists,
+                        BiConsumer<String, String> publicDependents,
+                        BiConsumer<String, String> privateDependents) {
+                    this.task = task;
+                }
+
                 public void addModules(Iterable<String> names) {
                     throw new UnsupportedOperationException();
                 }

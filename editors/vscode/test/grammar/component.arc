@@ -50,6 +50,13 @@ import coffee.types.Types.*;
     autoinstantiate off;
 //  ^^^^^^^^^^^^^^^ keyword.other.setting.arcomat
 //                  ^^^ constant.language.setting.arcomat
+    feature dimmer, alarm;
+//  ^^^^^^^ keyword.other.setting.arcomat
+    constraint (alarm implies dimmer);
+//  ^^^^^^^^^^ keyword.other.setting.arcomat
+    varif (dimmer) {
+//  ^^^^^ keyword.other.setting.arcomat
+    }
 
     component Motor(2, true) left, right;
 //  ^^^^^^^^^ storage.type.component.arcomat

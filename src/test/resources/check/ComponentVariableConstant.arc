@@ -33,7 +33,19 @@ component Compute {
 
   compute {
 //~~~~~~~ warning ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
-    count = sum++;
+    count = next(sum);
+  }
+}
+
+//// Computed.arc
+component Computed {
+  port in Boolean tick, out Integer count;
+
+  int sum;
+
+  compute {
+    sum++;
+    count = sum;
   }
 }
 

@@ -3,7 +3,7 @@ package robot;
 
 testsuite BadGuardTest for Guard {
   int slices;
-//~~~~~~~~~~~ warning ARC0708: fields of test suites are not used; give the tested component its values as arguments, as in 'for Guard(3)'
+//~~~~~~~~~~~ warning ARC0708: nobody knows the value of this field before the tests are run, so it is not used; give it a literal that no Java block changes, or give the tested component its values as arguments, as in 'for Guard(3)'
 
   test stops {
     input { tooClose: <true>; }
@@ -29,5 +29,49 @@ component Guard {
     state driving;
     initial driving / {drive = true};
     driving {tooClose == true} / {drive = false};
+  }
+}
+
+//// robot/ChangedTest.mt
+package robot;
+
+testsuite ChangedTest for Guard {
+  boolean near = true;
+//~~~~~~~~~~~~~~~~~~~~ warning ARC0708: nobody knows the value of this field before the tests are run, so it is not used; give it a literal that no Java block changes, or give the tested component its values as arguments, as in 'for Guard(3)'
+
+  @Before {
+// ~~~~~~ warning ARC0708: the Java block '@Before' is not run; say what should happen before with messages in the first slices
+    near = false;
+  }
+
+  test stops {
+    input { tooClose: <near>; }
+//                     ~~~~ error ARC0329: 'near' is not a literal or a constant of an enum; declare it or correct the name
+  }
+}
+
+//// robot/WrongTest.mt
+package robot;
+
+testsuite WrongTest for Guard {
+  boolean near = 3;
+//               ~ error ARC0317: field 'near' takes Boolean, but '3' is of type Integer
+  int far = 7;
+
+  test stops {
+    input { tooClose: <far>; }
+//                     ~~~ error ARC0703: port 'tooClose' takes Boolean, but 'far' is of type Integer
+  }
+}
+
+//// robot/GoodFieldTest.mt
+package robot;
+
+testsuite GoodFieldTest for Guard {
+  boolean near = true, far = false;
+  int unused = -3;
+
+  test stops {
+    input { tooClose: <near, Tk, 2*(far, Tk)>; }
   }
 }

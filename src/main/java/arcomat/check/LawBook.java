@@ -13,6 +13,7 @@ import arcomat.check.refinement.RefinementLaws;
 import arcomat.check.stereotypes.StereotypeLaws;
 import arcomat.check.structure.component.ComponentLaws;
 import arcomat.check.structure.connector.ConnectorLaws;
+import arcomat.check.structure.feature.FeatureLaws;
 import arcomat.check.structure.reference.ReferenceLaws;
 import arcomat.check.tests.TestLaws;
 
@@ -44,6 +45,7 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                 Stream.of(
                                 ComponentLaws.LAWS,
                                 ConnectorLaws.LAWS,
+                                FeatureLaws.LAWS,
                                 ReferenceLaws.LAWS,
                                 NamingLaws.LAWS,
                                 AutomatonLaws.LAWS,

@@ -4,6 +4,7 @@ import arcomat.source.Span;
 import arcomat.tree.Name;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -22,6 +23,35 @@ public interface BehaviourLanguage {
     default List<String> codes() {
         return List.of();
     }
+
+    /**
+     * Words of the language, its keyword perhaps among them, each with a sentence on what it says.
+     * Editors colour them, show the sentence beside them, and offer them where a text is written.
+     */
+    default Map<String, String> words() {
+        return Map.of();
+    }
+
+    /**
+     * What could be written at a place of a text, which need not be finished there: the words of
+     * the language if nothing else is said.
+     *
+     * @param offset of the place in the text of the body, behind what stands of a word already
+     */
+    default List<Suggestion> suggestions(Written behaviour, int offset) {
+        return words().entrySet().stream()
+                .filter(each -> !each.getKey().equals(keyword()))
+                .map(each -> new Suggestion(each.getKey(), each.getValue()))
+                .toList();
+    }
+
+    /**
+     * Something that could be written.
+     *
+     * @param text in the place of the word that is being written
+     * @param what it is, in a few words
+     */
+    record Suggestion(String text, String what) {}
 
     /**
      * Says what a behaviour means.

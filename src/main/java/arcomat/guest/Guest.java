@@ -47,6 +47,11 @@ public interface Guest {
         return List.of();
     }
 
+    /** Forms in which results are written; no two guests of a run may have one of the same name. */
+    default List<ReportForm> reportForms() {
+        return List.of();
+    }
+
     /** Readers of other languages; no two guests of a run may have the same word for one. */
     default List<Importer> importers() {
         return List.of();

@@ -75,7 +75,10 @@ record ExpressionLowering(Environment environment) implements TypedExpression.Ca
 
     @Override
     public Expression variableRead(TypedExpression.VariableRead read) {
-        return new Expression.VariableRead(variable(read.variable()), span(read));
+        Variable variable = variable(read.variable());
+        return read.variable().kind() == VariableSymbol.Kind.SUITE
+                ? variable.initial()
+                : new Expression.VariableRead(variable, span(read));
     }
 
     @Override

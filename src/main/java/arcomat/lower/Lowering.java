@@ -48,7 +48,7 @@ public final class Lowering {
     }
 
     private Model model() {
-        for (ComponentSymbol component : workspace.components()) {
+        for (ComponentSymbol component : workspace.meantComponents()) {
             if (!isGenericInside(component)) {
                 components.lower(Instantiation.plain(component));
             }
@@ -68,9 +68,9 @@ public final class Lowering {
     }
 
     private List<StreamTest> tests() {
-        StreamTestLowering lowering = new StreamTestLowering(components, workspace.delays());
         return workspace.testSuites().stream()
-                .flatMap(suite -> lowering.lower(suite).stream())
+                .map(suite -> new StreamTestLowering(components, workspace.delays(), suite))
+                .flatMap(lowering -> lowering.lower().stream())
                 .toList();
     }
 }

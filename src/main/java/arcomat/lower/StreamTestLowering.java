@@ -35,19 +35,24 @@ import java.util.Objects;
 final class StreamTestLowering {
     private final ComponentLowering components;
     private final Delays delays;
-    private final Environment nowhere = Environment.of(TypeSubstitution.NONE);
-    private final ExpressionLowering expressions = new ExpressionLowering(nowhere);
+    private final TestSuiteSymbol suite;
+    private final Environment fields;
+    private final ExpressionLowering expressions;
 
-    StreamTestLowering(ComponentLowering components, Delays delays) {
+    StreamTestLowering(ComponentLowering components, Delays delays, TestSuiteSymbol suite) {
         this.components = components;
         this.delays = delays;
+        this.suite = suite;
+        Environment nowhere = Environment.of(TypeSubstitution.NONE);
+        this.fields = nowhere.withVariables(VariableLowering.lower(suite.fields(), nowhere));
+        this.expressions = new ExpressionLowering(fields);
     }
 
-    List<StreamTest> lower(TestSuiteSymbol suite) {
+    List<StreamTest> lower() {
         ComponentSymbol symbol = Lowering.resolved(suite.component(), suite.node().component());
         Instantiation instantiation = Instantiation.plain(symbol);
         Component component = components.lower(instantiation);
-        List<Value> arguments = arguments(suite, instantiation, component.parameters());
+        List<Value> arguments = arguments(instantiation, component.parameters());
         List<StreamTest> tests = new ArrayList<>();
         for (StreamTestSymbol test : suite.tests()) {
             Streams streams =
@@ -68,11 +73,10 @@ final class StreamTestLowering {
     /** What drives a component, letter by letter, and what is expected of it by port and slice. */
     private record Streams(List<Letter> driven, Map<String, List<List<Value>>> expected) {}
 
-    private List<Value> arguments(
-            TestSuiteSymbol suite, Instantiation instantiation, List<Parameter> parameters) {
+    private List<Value> arguments(Instantiation instantiation, List<Parameter> parameters) {
         return ArgumentLowering.lower(
                         suite.arguments(),
-                        nowhere,
+                        fields,
                         instantiation.component().parameters(),
                         parameters,
                         components.environment(instantiation))

@@ -42,6 +42,7 @@ public final class Workspace {
     private final Map<Signature, ComponentSymbol> symbols = new IdentityHashMap<>();
     private final List<ComponentSymbol> topLevel = new ArrayList<>();
     private final List<ComponentSymbol> components = new ArrayList<>();
+    private final List<ComponentSymbol> configured = new ArrayList<>();
     private final List<DiagramSymbol> diagrams = new ArrayList<>();
     private final List<AutomatonSymbol> bareAutomata = new ArrayList<>();
     private final List<TestSuiteSymbol> testSuites = new ArrayList<>();
@@ -122,7 +123,18 @@ public final class Workspace {
             index.addQualifier(declaration.qualifiedName());
         }
         declaration.innerComponents().forEach(inner -> add(inner, seen));
+        declaration.configurations().forEach(this::addConfiguration);
         return symbol;
+    }
+
+    /** Found by its name with its features, and nowhere where components are listed as written. */
+    private void addConfiguration(ComponentDeclaration declaration) {
+        Signature signature = new Signature(declaration, signatures::get);
+        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get);
+        signatures.put(declaration, signature);
+        symbols.put(signature, symbol);
+        configured.add(symbol);
+        declaration.innerComponents().forEach(this::addConfiguration);
     }
 
     private DiagramSymbol define(UnitScope scope, ClassDiagram diagram, boolean seen) {
@@ -180,6 +192,24 @@ public final class Workspace {
     /** All components; inner ones follow the one around them. */
     public List<ComponentSymbol> components() {
         return List.copyOf(components);
+    }
+
+    /**
+     * All components that mean something by themselves: of what has features its configurations,
+     * with what is inside them.
+     */
+    public List<ComponentSymbol> meantComponents() {
+        return Stream.concat(
+                        components.stream().filter(each -> !each.declaration().isOpen()),
+                        configured.stream())
+                .toList();
+    }
+
+    /** The configurations of a component with features; else itself. */
+    public List<ComponentSymbol> configurations(ComponentSymbol component) {
+        return component.declaration().isOpen()
+                ? component.declaration().configurations().stream().map(this::symbol).toList()
+                : List.of(component);
     }
 
     /** The components of a qualified name, {@code p.Outer.Inner} for inner ones. */

@@ -57,6 +57,8 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
                     ArcomatParser.RULE_statements,
+                    ArcomatParser.RULE_variation,
+                    ArcomatParser.RULE_alternative,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_classDiagram,

@@ -7,13 +7,34 @@ import java.util.Optional;
 
 /** A behaviour language embedded in a component: automata, I/O tables, or that of a guest. */
 public sealed interface Behaviour extends Element
-        permits Automaton, IoTable, Behaviour.Implementation, Behaviour.Foreign {
+        permits Automaton,
+                IoTable,
+                Behaviour.Computation,
+                Behaviour.Implementation,
+                Behaviour.Foreign {
     /** The automata that it consists of; none in other languages. */
     List<Automaton> automata();
+
+    /** Whether its automata are what it means, and not what is written. */
+    default boolean isMeaning() {
+        return this instanceof Foreign || this instanceof Computation;
+    }
 
     @Override
     default void accept(Element.Visitor visitor) {
         visitor.behaviour(this);
+    }
+
+    /**
+     * {@code compute {..}}: done in each slice.
+     *
+     * @param automaton what it means; an {@code init} beside it is its start
+     */
+    record Computation(Span span, Automaton automaton) implements Behaviour {
+        @Override
+        public List<Automaton> automata() {
+            return List.of(automaton);
+        }
     }
 
     /**

@@ -36,6 +36,23 @@ public record Component(
         return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
     }
 
+    /** The same component with other things in its body. */
+    public Component withElements(List<Element> others) {
+        return new Component(
+                span,
+                stereotypes,
+                isAbstract,
+                isDeploy,
+                name,
+                typeParameters,
+                parameters,
+                superComponent,
+                superArguments,
+                refines,
+                instance,
+                others);
+    }
+
     @Override
     public <R> R match(Cases<R> cases) {
         return cases.component().apply(this);

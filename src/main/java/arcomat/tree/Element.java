@@ -17,7 +17,11 @@ public sealed interface Element extends Node
                 Element.Autoinstantiate,
                 Element.Invariant,
                 Element.Variables,
-                Element.JavaPart {
+                Element.Start,
+                Element.JavaPart,
+                Element.Features,
+                Element.Constraint,
+                Element.Variation {
     /** Takes the sum apart: one step for each form, and the compiler asks for all of them. */
     void accept(Visitor visitor);
 
@@ -43,7 +47,15 @@ public sealed interface Element extends Node
 
         void variables(Variables variables);
 
+        void start(Start start);
+
         void javaPart(JavaPart part);
+
+        void features(Features features);
+
+        void constraint(Constraint constraint);
+
+        void variation(Variation variation);
     }
 
     /** {@code port in A a, out B b;}. */
@@ -170,12 +182,58 @@ public sealed interface Element extends Node
         }
     }
 
+    /** {@code init {..}}: done before the first slice, by the {@code compute} beside it. */
+    record Start(Span span, Optional<Name> name, Statement.Sequence statements) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.start(this);
+        }
+    }
+
     /** {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported. */
     record JavaPart(Span span, String keyword, Optional<Name> name, String text)
             implements Element {
         @Override
         public void accept(Visitor visitor) {
             visitor.javaPart(this);
+        }
+    }
+
+    /** {@code feature f, g;}: what an instance of the component chooses, or leaves out. */
+    record Features(Span span, List<Name> names) implements Element {
+        public Features {
+            names = List.copyOf(names);
+        }
+
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.features(this);
+        }
+    }
+
+    /** {@code constraint (f implies g);}: what is true of the features that are chosen together. */
+    record Constraint(Span span, Expression condition) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.constraint(this);
+        }
+    }
+
+    /**
+     * {@code varif (f) {..} else {..}}: elements that only some configurations have.
+     *
+     * @param otherwise what the others have in their place; another {@code varif} is one element
+     */
+    record Variation(Span span, Expression condition, List<Element> then, List<Element> otherwise)
+            implements Element {
+        public Variation {
+            then = List.copyOf(then);
+            otherwise = List.copyOf(otherwise);
+        }
+
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.variation(this);
         }
     }
 }

@@ -264,6 +264,10 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         if (!kinds.isEmpty()) {
             context.setOnly(kinds);
         }
+        return actions(path, range, context);
+    }
+
+    List<Either<Command, CodeAction>> actions(String path, Range range, CodeActionContext context) {
         return get(
                 server.getTextDocumentService()
                         .codeAction(new CodeActionParams(document(path), range, context)));

@@ -1,5 +1,8 @@
 package arcomat.editor;
 
+import org.eclipse.lsp4j.CodeAction;
+import org.eclipse.lsp4j.CodeActionContext;
+import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionParams;
 import org.eclipse.lsp4j.Diagnostic;
@@ -9,6 +12,7 @@ import org.eclipse.lsp4j.DocumentRangeFormattingParams;
 import org.eclipse.lsp4j.FormattingOptions;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
 import java.io.IOException;
 import java.util.List;
@@ -43,6 +47,7 @@ final class EditorScript {
             case "complete" -> completions(path, range(place).getStart());
             case "accept" -> silently(() -> accept(path, range(place).getStart(), rest));
             case "fixes" -> fixes(path, range(place));
+            case "offered" -> offered(path, range(place), rest);
             case "fix" -> silently(() -> fix(path, range(place), rest));
             case "fix-all" -> silently(() -> fixAll(path));
             case "format" -> silently(() -> format(path));
@@ -119,7 +124,20 @@ final class EditorScript {
     }
 
     private String fixes(String path, Range range) {
-        return client.actions(path, range, List.of("quickfix")).stream()
+        return titles(client.actions(path, range, List.of("quickfix")));
+    }
+
+    /** What is offered for the findings of a code, wherever in the range they are. */
+    private String offered(String path, Range range, String code) {
+        List<Diagnostic> shown =
+                client.problems().getOrDefault(path, List.of()).stream()
+                        .filter(each -> each.getCode().getLeft().equals(code))
+                        .toList();
+        return titles(client.actions(path, range, new CodeActionContext(shown)));
+    }
+
+    private static String titles(List<Either<Command, CodeAction>> actions) {
+        return actions.stream()
                 .map(each -> each.getRight().getTitle() + "\n")
                 .collect(Collectors.joining());
     }

@@ -25,6 +25,7 @@ import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
+import org.eclipse.lsp4j.CodeActionContext;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
@@ -57,6 +58,8 @@ class RandomEditsTest {
      * How many edits lie between two comparisons with somebody who sees the texts for the first.
      */
     private static final int BETWEEN_COMPARISONS = 40;
+
+    private static final CodeActionContext NO_FINDING = new CodeActionContext(List.of());
 
     private static final List<String> WORDS =
             List.of(
@@ -240,7 +243,7 @@ class RandomEditsTest {
         assertThat(Completion.at(view, offset)).doesNotContainNull();
         assertThat(GoTo.definition(view, position)).doesNotContainNull();
         assertThat(NamedPlaces.references(view, position, true)).doesNotContainNull();
-        assertThat(Fixes.at(view, Positions.all(view.file()), List.of())).doesNotContainNull();
+        assertThat(Fixes.at(view, Positions.all(view.file()), NO_FINDING)).doesNotContainNull();
         assertThat(CanonicalLayout.of(view.file())).doesNotContainNull();
         assertThat(HoverCard.at(view, position)).isNotNull();
         assertThat(ParameterHelp.at(view, offset)).isNotNull();

@@ -10,7 +10,7 @@ component BadDoubler {
 
   compute {
 //~~~~~~~ error ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
-    o = 2 * i;
+    o = twice(i);
   }
 }
 

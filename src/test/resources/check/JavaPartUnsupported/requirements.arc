@@ -9,7 +9,7 @@ component BadDoubler {
 
   compute {
 //~~~~~~~ warning ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
-    o = 2 * i;
+    o = twice(i);
   }
 }
 
@@ -21,5 +21,39 @@ component GoodDoubler {
     state s;
     initial s;
     s {i == ?} / {o = i};
+  }
+}
+
+//// Made.arc
+component Made {
+  port in Integer i, out Integer o;
+
+  init {
+//~~~~ warning ARC0127
+    List<Integer> all = new ArrayList<Integer>();
+  }
+
+  compute {
+//~~~~~~~ warning ARC0127
+    o = i;
+  }
+}
+
+//// Looped.arc
+component Looped {
+  port in Integer i, out Integer o;
+
+  compute {
+//~~~~~~~ warning ARC0127
+    for (int k = 0; k < i; k++) { o = k; }
+  }
+}
+
+//// GoodStatements.arc
+component GoodStatements {
+  port in Integer i, out Integer o;
+
+  compute {
+    if (i != --) { o = 2 * i; }
   }
 }

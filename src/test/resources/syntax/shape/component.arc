@@ -34,7 +34,7 @@ import port.in.*;
     java inv body: { if (a) { return '}'; } };
     inv plain: forall @pre;
 
-    compute { x = 1; }
+    compute { x = f(1); }
     init first { y++; }
     var Integer counter = 0, k;
     Integer limit = 3 * n, m;

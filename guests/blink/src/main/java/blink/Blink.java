@@ -7,6 +7,7 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -32,6 +33,14 @@ public final class Blink implements Guest, BehaviourLanguage {
     @Override
     public String keyword() {
         return "blink";
+    }
+
+    @Override
+    public Map<String, String> words() {
+        return Map.of(
+                "blink", "on for some slices and off for some, again and again",
+                "on", "so many slices the port carries true",
+                "off", "so many slices the port carries false");
     }
 
     @Override

@@ -321,6 +321,19 @@ public interface Check {
             diagnostics.addAll(other.diagnostics);
         }
 
+        /** Takes back what was found since there were so many findings, in their order. */
+        public List<Diagnostic> takeSince(int count) {
+            List<Diagnostic> since = diagnostics.subList(count, diagnostics.size());
+            List<Diagnostic> taken = List.copyOf(since);
+            since.clear();
+            return taken;
+        }
+
+        /** Adds what was found and taken back, perhaps with more words. */
+        public void give(Diagnostic diagnostic) {
+            diagnostics.add(diagnostic);
+        }
+
         public List<Diagnostic> diagnostics() {
             return diagnostics;
         }

@@ -69,6 +69,21 @@ record ElementWalk(StereotypeWalk stereotypes, ExpressionWalk expressions, Conte
     @Override
     public void invariant(Element.Invariant invariant) {}
 
+    /** The laws about features ask the text. */
+    @Override
+    public void features(Element.Features features) {}
+
+    @Override
+    public void constraint(Element.Constraint constraint) {}
+
+    /** What a configuration has of it stands among the elements. */
+    @Override
+    public void variation(Element.Variation variation) {}
+
+    /** Walked with the automaton that it is the start of. */
+    @Override
+    public void start(Element.Start start) {}
+
     /** Has neither types nor stereotypes that are looked at. */
     @Override
     public void javaPart(Element.JavaPart part) {}

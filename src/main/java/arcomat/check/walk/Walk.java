@@ -53,7 +53,7 @@ public final class Walk {
         List<Consumer<Walk>> steps = new ArrayList<>();
         steps.add(walk -> walk.workspace(workspace));
         for (ComponentSymbol each : workspace.topLevelComponents()) {
-            add(wanted, each.unit(), (walk, at) -> walk.components.component(each, at), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.component(each, at), steps);
         }
         for (AutomatonSymbol each : workspace.bareAutomata()) {
             add(wanted, each.unit(), (walk, at) -> walk.behaviours.automaton(each, at), steps);
@@ -112,6 +112,20 @@ public final class Walk {
         }
     }
 
+    /** What has features is what its configurations are, each by itself. */
+    private void component(ComponentSymbol component, Context context) {
+        if (component.declaration().isOpen()) {
+            ConfigurationFindings found = new ConfigurationFindings(listeners.findings());
+            for (ComponentSymbol each : workspace.configurations(component)) {
+                components.component(each, context);
+                found.in(each);
+            }
+            found.tell();
+        } else {
+            components.component(component, context);
+        }
+    }
+
     private void testSuite(TestSuiteSymbol suite, Context context) {
         expressions.name(suite.node().component());
         for (Listener<Check.OnTestSuite> each : listeners.onTestSuite) {
@@ -123,6 +137,7 @@ public final class Walk {
                 expressions.type(field.type(), context);
             }
         }
+        suite.fields().forEach(field -> expressions.variable(field, context));
         for (StreamTestSymbol test : suite.tests()) {
             streamTest(test, context);
         }

@@ -54,6 +54,11 @@ public record CheckRendering(
         return new CheckReport(List.of(), aside.findings(), List.of(), Optional.empty());
     }
 
+    /** To be written. */
+    public CommandResults results() {
+        return new CommandResults(command, this, report::reported);
+    }
+
     @Override
     public String text(ReportFormat format, Style style) {
         return switch (format) {

@@ -27,8 +27,9 @@ public final class PageReportOptions extends ResultOptions {
         return files;
     }
 
-    /** Complains before any work is done in vain. */
+    @Override
     public void prepare(Session session) throws WrongUse {
+        super.prepare(session);
         for (ReportFile each : files) {
             if (each.format().isEmpty()) {
                 new ReportPage(each.file(), session.names()).requireWritable();

@@ -3,17 +3,15 @@ package arcomat.cli.option;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /**
  * A report to be written beside what is printed: {@code FORMAT=FILE}, or {@code DIR} for a page.
  *
- * @param format empty for a page
+ * @param format of the tool or of a guest; empty for a page
  * @param file the file, or the folder of the page
  */
-record ReportFile(Optional<ReportFormat> format, String file) {
+record ReportFile(Optional<String> format, String file) {
 
     /** Reads {@code FORMAT=FILE}. */
     static final class Reader implements ITypeConverter<ReportFile> {
@@ -25,14 +23,7 @@ record ReportFile(Optional<ReportFormat> format, String file) {
                         "'" + written + "' is not FORMAT=FILE, as in junit=build/results.xml");
             }
             String name = written.substring(0, equals);
-            ReportFormat format =
-                    format(name)
-                            .orElseThrow(
-                                    () ->
-                                            new TypeConversionException(
-                                                    "there is no format '%s', only %s"
-                                                            .formatted(name, all())));
-            return new ReportFile(Optional.of(format), written.substring(equals + 1));
+            return new ReportFile(Optional.of(name), written.substring(equals + 1));
         }
     }
 
@@ -42,21 +33,9 @@ record ReportFile(Optional<ReportFormat> format, String file) {
         public ReportFile convert(String written) {
             // Whoever writes only a format has forgotten the file.
             boolean folder = written.indexOf('=') < 0 && !written.isEmpty();
-            return folder && format(written).isEmpty()
+            return folder && ReportFormat.of(written).isEmpty()
                     ? new ReportFile(Optional.empty(), written)
                     : new Reader().convert(written);
         }
-    }
-
-    private static Optional<ReportFormat> format(String name) {
-        return Arrays.stream(ReportFormat.values())
-                .filter(each -> each.name().equals(name))
-                .findFirst();
-    }
-
-    private static String all() {
-        return Arrays.stream(ReportFormat.values())
-                .map(ReportFormat::name)
-                .collect(Collectors.joining(", "));
     }
 }

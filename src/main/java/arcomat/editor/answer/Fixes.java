@@ -7,6 +7,7 @@ import arcomat.source.Fix;
 import arcomat.source.Span;
 
 import org.eclipse.lsp4j.CodeAction;
+import org.eclipse.lsp4j.CodeActionContext;
 import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextEdit;
@@ -16,6 +17,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /** The repairs that findings carry, each by itself, and those of a file all together. */
@@ -26,28 +28,51 @@ public final class Fixes {
     private Fixes() {}
 
     /**
-     * What can be repaired in a range.
+     * What can be repaired in a range. Where the editor tells which findings it is about, it is
+     * about no other: Kate asks for the whole file, and does all that it is offered. So the repairs
+     * of a file are not put beside that of a finding unless they are asked for.
      *
-     * @param kinds those that are asked for, with all below them; empty for all
+     * @param context the findings that the editor shows there, and the kinds of repairs that it
+     *     asks for, with all below them; without kinds all
      */
-    public static List<CodeAction> at(View view, Range range, List<String> kinds) {
+    public static List<CodeAction> at(View view, Range range, CodeActionContext context) {
+        List<String> kinds = Objects.requireNonNullElse(context.getOnly(), List.of());
         List<CodeAction> actions = new ArrayList<>();
         if (isWanted(CodeActionKind.QuickFix, kinds)) {
-            Span wanted = Positions.span(view.file(), range);
-            view.findings().stream()
-                    .filter(finding -> touches(finding.span(), wanted))
-                    .forEach(
-                            finding ->
-                                    finding.fix()
-                                            .ifPresent(
-                                                    fix ->
-                                                            actions.add(
-                                                                    action(view, finding, fix))));
+            actions.addAll(about(context.getDiagnostics(), inRange(view, range)));
         }
-        if (isWanted(ALL, kinds)) {
+        if (isWanted(ALL, kinds) && (actions.isEmpty() || !kinds.isEmpty())) {
             all(view).ifPresent(actions::add);
         }
         return actions;
+    }
+
+    private static List<CodeAction> inRange(View view, Range range) {
+        Span wanted = Positions.span(view.file(), range);
+        return view.findings().stream()
+                .filter(finding -> touches(finding.span(), wanted))
+                .flatMap(finding -> finding.fix().stream().map(fix -> action(view, finding, fix)))
+                .toList();
+    }
+
+    /** Those of findings that are shown; of all where others are shown by now. */
+    private static List<CodeAction> about(
+            List<org.eclipse.lsp4j.Diagnostic> shown, List<CodeAction> actions) {
+        List<CodeAction> about = actions.stream().filter(action -> isAbout(shown, action)).toList();
+        return about.isEmpty() ? actions : about;
+    }
+
+    private static boolean isAbout(List<org.eclipse.lsp4j.Diagnostic> shown, CodeAction action) {
+        return action.getDiagnostics().stream()
+                .anyMatch(
+                        finding ->
+                                shown.stream()
+                                        .anyMatch(
+                                                each ->
+                                                        each.getRange().equals(finding.getRange())
+                                                                && Objects.equals(
+                                                                        each.getCode(),
+                                                                        finding.getCode())));
     }
 
     private static boolean isWanted(String kind, List<String> kinds) {

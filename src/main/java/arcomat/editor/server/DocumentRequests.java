@@ -30,7 +30,6 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
@@ -91,14 +90,13 @@ final class DocumentRequests extends NameRequests {
     @Override
     public CompletableFuture<List<Either<Command, CodeAction>>> codeAction(
             CodeActionParams params) {
-        List<String> kinds = Objects.requireNonNullElse(params.getContext().getOnly(), List.of());
         Optional<Path> file = Positions.path(params.getTextDocument().getUri());
         return worker.askChecked(
                 file,
                 (desk, canceled) ->
                         file
                                 .flatMap(desk::view)
-                                .map(view -> Fixes.at(view, params.getRange(), kinds))
+                                .map(view -> Fixes.at(view, params.getRange(), params.getContext()))
                                 .orElse(List.of())
                                 .stream()
                                 .map(Either::<Command, CodeAction>forRight)

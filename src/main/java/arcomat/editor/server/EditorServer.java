@@ -73,6 +73,12 @@ public final class EditorServer implements LanguageServer {
     /** Where folders in settings start from. */
     private volatile Path home = Path.of("").toAbsolutePath();
 
+    /**
+     * Whether the editor is ready for what it has not asked for; known to the thread that works on
+     * the desk.
+     */
+    private boolean greeted;
+
     private boolean shutDown;
 
     /**
@@ -168,6 +174,11 @@ public final class EditorServer implements LanguageServer {
             // An editor that says no does without.
             var unused = client.registerCapability(new RegistrationParams(List.of(registration)));
         }
+        worker.edit(
+                desk -> {
+                    greeted = true;
+                    publish(desk);
+                });
     }
 
     /** Who opens a file does not wait until all others have been read. */
@@ -184,9 +195,13 @@ public final class EditorServer implements LanguageServer {
 
     /**
      * Sends what is new to the editor, and that nothing is found where something was. Of files that
-     * are to be checked again it still shows what was found last.
+     * are to be checked again it still shows what was found last. The protocol allows no findings
+     * before the editor is ready, and Kate loses such; a small workspace is checked before that.
      */
     private void publish(Desk desk) {
+        if (!greeted) {
+            return;
+        }
         Set<String> gone = new HashSet<>(published.keySet());
         if (desk.models().stream().anyMatch(models -> !models.due().isEmpty())) {
             gone.retainAll(addresses(desk.onScreen()));

@@ -4,9 +4,13 @@ import arcomat.check.LawBook;
 import arcomat.guest.AutomatonAnalysis;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Importer;
+import arcomat.guest.ReportForm;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Who is there besides the tool itself.
@@ -15,17 +19,34 @@ import java.util.Optional;
  * @param questions about automata, besides the tool's
  * @param languages that behaviours may be written in, besides automata and tables
  * @param kinds of models that can be read once
+ * @param forms in which results are written, besides the tool's
+ * @param paths where they came from, as the user wrote them
  */
 public record Guests(
-        LawBook laws, List<Question> questions, List<Language> languages, List<Kind> kinds) {
+        LawBook laws,
+        List<Question> questions,
+        List<Language> languages,
+        List<Kind> kinds,
+        List<Form> forms,
+        List<String> paths) {
     /** Nobody. */
-    public static final Guests NONE = new Guests(LawBook.OWN, List.of(), List.of(), List.of());
+    public static final Guests NONE =
+            new Guests(LawBook.OWN, List.of(), List.of(), List.of(), List.of(), List.of());
 
     public Guests {
         questions = List.copyOf(questions);
         languages = List.copyOf(languages);
         kinds = List.copyOf(kinds);
+        forms = List.copyOf(forms);
+        paths = List.copyOf(paths);
     }
+
+    /**
+     * A form of report with the name of its guest.
+     *
+     * @param name what the form said that it is called, once
+     */
+    public record Form(String guest, String name, ReportForm form) {}
 
     /**
      * An analysis with the name of its guest.
@@ -43,11 +64,17 @@ public record Guests(
      *
      * @param keyword what the language said it is, once
      * @param codes what it said that it may find
+     * @param words of its texts, in alphabetical order, with what each says
      */
     public record Language(
-            String guest, String keyword, List<String> codes, BehaviourLanguage translator) {
+            String guest,
+            String keyword,
+            List<String> codes,
+            SortedMap<String, String> words,
+            BehaviourLanguage translator) {
         public Language {
             codes = List.copyOf(codes);
+            words = Collections.unmodifiableSortedMap(new TreeMap<>(words));
         }
     }
 

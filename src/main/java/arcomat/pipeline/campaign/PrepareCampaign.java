@@ -56,20 +56,23 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      * @param world path of its world, as the user would write it
      * @param items what its runs may cover
      * @param libraries model roots of others that its programs were made with
+     * @param guests paths of the guests that they were made with
      */
     public record Ready(
             Campaign campaign,
             String world,
             Freight freight,
             CoverageItems items,
-            List<String> libraries) {
+            List<String> libraries,
+            List<String> guests) {
         public Ready {
+            guests = List.copyOf(guests);
             libraries = List.copyOf(libraries);
         }
 
         /** How its runs are made again. */
         public RunAgain replay() {
-            return new RunAgain(world, freight.limited(), libraries);
+            return new RunAgain(world, freight.limited(), libraries, guests);
         }
     }
 
@@ -119,7 +122,8 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                                 worldFile,
                                 freight,
                                 coverage.items(),
-                                session.libraries())));
+                                session.libraries(),
+                                session.guests().paths())));
     }
 
     private String beside(String written) {

@@ -14,8 +14,6 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -24,9 +22,6 @@ import java.util.stream.Collectors;
  */
 public record MainComponent(Component component, List<Value> arguments) {
     private static final int NAMED_COMPONENTS = 10;
-    private static final Pattern WRITTEN = Pattern.compile("\\s*([^(]*?)\\s*(?:\\((.*)\\)\\s*)?");
-    private static final Pattern ARGUMENT =
-            Pattern.compile("\\s*(\"[^\"]*\"|'[^']*'|[^,\"']*?)\\s*(,|$)");
 
     public MainComponent {
         arguments = List.copyOf(arguments);
@@ -39,18 +34,20 @@ public record MainComponent(Component component, List<Value> arguments) {
      * @throws WrongUse where there is no such component, or the arguments do not fit it
      */
     public static MainComponent find(String written, LoweredModels models) throws WrongUse {
-        Matcher matcher = WRITTEN.matcher(written);
-        if (!matcher.matches()) {
+        Optional<WrittenComponent> named =
+                WrittenComponent.parse(written, models.checked().workspace());
+        if (named.isEmpty()) {
             throw new WrongUse("'" + written + "' is not a name such as p.Robot");
         }
-        Component component = component(matcher.group(1), models);
-        return new MainComponent(component, arguments(component, split(matcher.group(2))));
+        Component component = component(named.get().name(), models);
+        return new MainComponent(component, arguments(component, named.get().arguments()));
     }
 
     /** What a name as for {@link #find} may mean before the models have a meaning. */
     public static List<ComponentSymbol> symbols(String written, Workspace models) {
-        Matcher matcher = WRITTEN.matcher(written);
-        return matcher.matches() ? models.components(matcher.group(1)) : List.of();
+        return WrittenComponent.parse(written, models)
+                .map(named -> named.symbols(models))
+                .orElse(List.of());
     }
 
     /**
@@ -89,7 +86,11 @@ public record MainComponent(Component component, List<Value> arguments) {
         if (found.isPresent()) {
             return found.get();
         }
-        if (!models.checked().workspace().components(name).isEmpty()) {
+        List<ComponentSymbol> known = models.checked().workspace().components(name);
+        if (known.stream().anyMatch(each -> each.declaration().isOpen())) {
+            throw new WrongUse(features(known.get(0), models.checked().workspace()));
+        }
+        if (!known.isEmpty()) {
             throw new WrongUse(
                     "component '%s' is generic and cannot run by itself; name a component with a"
                             + " part that says its type arguments",
@@ -104,13 +105,25 @@ public record MainComponent(Component component, List<Value> arguments) {
         throw new WrongUse(missing(name, names(model)));
     }
 
+    private static String features(ComponentSymbol component, Workspace models) {
+        List<String> configurations =
+                models.configurations(component).stream()
+                        .map(ComponentSymbol::qualifiedName)
+                        .toList();
+        return configurations.isEmpty()
+                ? "'%s' lies in a component with features; name a component with it as a part"
+                        .formatted(component.qualifiedName())
+                : "'%s' has features; choose them: there are %s"
+                        .formatted(component.qualifiedName(), listing(configurations));
+    }
+
     /**
      * Why a name as for {@link #find} means nothing, as far as that is known before the models have
      * a meaning.
      */
     public static Optional<String> obstacle(String written, Workspace models) {
-        Matcher matcher = WRITTEN.matcher(written);
-        if (!matcher.matches() || !symbols(written, models).isEmpty() || !models.isComplete()) {
+        Optional<WrittenComponent> named = WrittenComponent.parse(written, models);
+        if (named.isEmpty() || !symbols(written, models).isEmpty() || !models.isComplete()) {
             return Optional.empty();
         }
         List<String> names =
@@ -118,7 +131,7 @@ public record MainComponent(Component component, List<Value> arguments) {
                         .filter(each -> !each.signature().isGeneric())
                         .map(ComponentSymbol::qualifiedName)
                         .toList();
-        return Optional.of(missing(matcher.group(1), names));
+        return Optional.of(missing(named.get().name(), names));
     }
 
     private static String missing(String name, List<String> names) {
@@ -145,20 +158,6 @@ public record MainComponent(Component component, List<Value> arguments) {
         return names.isEmpty()
                 ? "no components"
                 : more > 0 ? listed + " and " + more + " more" : listed;
-    }
-
-    private static List<String> split(String arguments) {
-        List<String> parts = new ArrayList<>();
-        if (arguments == null || arguments.isBlank()) {
-            return parts;
-        }
-        Matcher matcher = ARGUMENT.matcher(arguments);
-        int at = 0;
-        while (at <= arguments.length() && matcher.find(at)) {
-            parts.add(matcher.group(1));
-            at = matcher.group(2).isEmpty() ? arguments.length() + 1 : matcher.end();
-        }
-        return parts;
     }
 
     private static List<Value> arguments(Component component, List<String> written)

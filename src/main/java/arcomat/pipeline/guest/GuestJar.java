@@ -5,6 +5,8 @@ import arcomat.check.law.Law;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
 import arcomat.guest.Importer;
+import arcomat.guest.ReportForm;
+import arcomat.guest.host.Guests.Form;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
 import arcomat.guest.host.Guests.Question;
@@ -28,6 +30,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.jar.JarFile;
 import java.util.regex.Pattern;
@@ -42,9 +45,15 @@ import java.util.stream.Stream;
 record GuestJar(String path, URLClassLoader loader, String identity) {
     /** What a guest brings. */
     record Arrival(
-            GuestLaws laws, List<Question> questions, List<Language> languages, List<Kind> kinds) {}
+            GuestLaws laws,
+            List<Question> questions,
+            List<Language> languages,
+            List<Kind> kinds,
+            List<Form> forms) {}
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
+    private static final Pattern FORM =
+            Pattern.compile("(?!(text|json|sarif|junit|github)$)[a-z][a-z0-9-]{0,39}");
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
 
     /**
@@ -163,7 +172,12 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                         .flatMap(Function.identity())
                         .flatMap(List::stream)
                         .toList();
-        return new Arrival(laws(name, guest.laws(), others), questions, languages, kinds);
+        return new Arrival(
+                laws(name, guest.laws(), others),
+                questions,
+                languages,
+                kinds,
+                forms(name, guest.reportForms()));
     }
 
     private GuestLaws laws(String name, List<Law> laws, List<String> others) throws WrongUse {
@@ -190,9 +204,26 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                                 + " Arcomat's own words",
                         name, keyword);
             }
-            languages.add(new Language(name, keyword, each.codes(), each));
+            languages.add(
+                    new Language(name, keyword, each.codes(), new TreeMap<>(each.words()), each));
         }
         return languages;
+    }
+
+    private static List<Form> forms(String guest, List<ReportForm> brought) throws WrongUse {
+        List<Form> forms = new ArrayList<>();
+        for (ReportForm each : brought) {
+            String form = each.form();
+            if (!FORM.matcher(form).matches()) {
+                throw new WrongUse(
+                        "a form of report of guest '%s' is called '%s'; such a name has small"
+                                + " letters, digits and hyphens, begins with a letter, and is none"
+                                + " of the tool's own",
+                        guest, form);
+            }
+            forms.add(new Form(guest, form, each));
+        }
+        return forms;
     }
 
     private static List<Kind> kinds(String name, List<Importer> brought) throws WrongUse {

@@ -3,6 +3,7 @@ package arcomat.pipeline.guest;
 import arcomat.check.LawBook;
 import arcomat.check.guest.GuestLaws;
 import arcomat.guest.host.Guests;
+import arcomat.guest.host.Guests.Form;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
 import arcomat.guest.host.Guests.Question;
@@ -30,18 +31,21 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
         List<Question> questions = new ArrayList<>();
         List<Language> languages = new ArrayList<>();
         List<Kind> kinds = new ArrayList<>();
+        List<Form> forms = new ArrayList<>();
         for (String path : paths) {
             for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
                 laws.add(each.laws());
                 questions.addAll(each.questions());
                 languages.addAll(each.languages());
                 kinds.addAll(each.kinds());
+                forms.addAll(each.forms());
             }
         }
         requireDifferent(laws);
         requireWords(languages);
         requireKinds(kinds);
-        return new Guests(LawBook.of(laws), questions, languages, kinds);
+        requireForms(forms);
+        return new Guests(LawBook.of(laws), questions, languages, kinds, forms, paths);
     }
 
     /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
@@ -74,6 +78,19 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                         "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
                                 + " one of them out",
                         language.keyword(), other.guest(), language.guest());
+            }
+        }
+    }
+
+    private static void requireForms(List<Form> forms) throws WrongUse {
+        Map<String, Form> names = new HashMap<>();
+        for (Form form : forms) {
+            Form other = names.put(form.name(), form);
+            if (other != null) {
+                throw new WrongUse(
+                        "reports of the form '%s' are of two guests, '%s' and '%s'; leave one of"
+                                + " them out",
+                        form.name(), other.guest(), form.guest());
             }
         }
     }

@@ -12,9 +12,11 @@ import java.util.regex.Pattern;
  * @param world the world's file, as a user would write it
  * @param limited whether programs met the limits of real bricks
  * @param libraries model roots of others that the programs were made with, as the user wrote them
+ * @param guests where guests came from that the programs were made with, as the user wrote them
  */
-public record RunAgain(String world, boolean limited, List<String> libraries) {
+public record RunAgain(String world, boolean limited, List<String> libraries, List<String> guests) {
     public RunAgain {
+        guests = List.copyOf(guests);
         libraries = List.copyOf(libraries);
     }
 
@@ -47,6 +49,7 @@ public record RunAgain(String world, boolean limited, List<String> libraries) {
                         (name, value) ->
                                 command.append(" --set ").append(word(name + "=" + value)));
         libraries.forEach(each -> command.append(" --library ").append(word(each)));
+        guests.forEach(each -> command.append(" --with ").append(word(each)));
         if (!limited) {
             command.append(" --no-limits");
         }

@@ -39,36 +39,27 @@ public sealed interface ActionSymbol {
 
     /** What is assigned in it, whether or not it comes to that. */
     default List<ItemSymbol> items() {
-        List<ItemSymbol> items = new ArrayList<>();
-        walk(
-                each -> {
-                    if (each instanceof Assign assign) {
-                        items.add(assign.item());
-                    }
-                });
-        return List.copyOf(items);
+        return all(Assign.class).stream().map(Assign::item).toList();
     }
 
     default List<Choose> choices() {
-        List<Choose> choices = new ArrayList<>();
-        walk(
-                each -> {
-                    if (each instanceof Choose choose) {
-                        choices.add(choose);
-                    }
-                });
-        return List.copyOf(choices);
+        return all(Choose.class);
     }
 
     default List<Declare> declarations() {
-        List<Declare> declarations = new ArrayList<>();
+        return all(Declare.class);
+    }
+
+    /** Those of one form, in text order. */
+    private <A extends ActionSymbol> List<A> all(Class<A> form) {
+        List<A> all = new ArrayList<>();
         walk(
                 each -> {
-                    if (each instanceof Declare declare) {
-                        declarations.add(declare);
+                    if (form.isInstance(each)) {
+                        all.add(form.cast(each));
                     }
                 });
-        return List.copyOf(declarations);
+        return List.copyOf(all);
     }
 
     record Sequence(Statement.Sequence node, List<ActionSymbol> actions) implements ActionSymbol {

@@ -5,6 +5,7 @@ import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.ComponentDeclaration;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
@@ -74,6 +75,11 @@ public final class ComponentSymbol {
 
     ComponentSymbol of(Signature other) {
         return components.apply(other);
+    }
+
+    /** Where it stands, and which of its configurations it is. */
+    public ComponentDeclaration declaration() {
+        return signature.declaration();
     }
 
     public Component node() {

@@ -6,6 +6,7 @@ import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.signatures.ComponentReference;
+import arcomat.tree.Argument;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
 import arcomat.tree.Name;
@@ -75,14 +76,16 @@ final class Instances {
 
     private static void addDeclared(
             ComponentSymbol owner, Element.Subcomponent node, List<InstanceSymbol> instances) {
-        ComponentReference type = ComponentReference.inside(owner.signature(), node.type());
+        ComponentReference type =
+                ComponentReference.inside(owner.signature(), node.type(), node.arguments());
+        List<Argument> arguments = forParameters(owner, node);
         List<Element.Instance> declared = node.instances();
         if (declared.isEmpty()) {
             Span span = node.type().span();
             Name name = new Name(span, Names.implicit(node.type().name().last().text()));
             instances.add(
                     new InstanceSymbol(
-                            owner, name, Origin.IMPLICIT, node, type, node.arguments(), List.of()));
+                            owner, name, Origin.IMPLICIT, node, type, arguments, List.of()));
         }
         for (Element.Instance instance : declared) {
             instances.add(
@@ -92,9 +95,18 @@ final class Instances {
                             Origin.NAMED,
                             node,
                             type,
-                            node.arguments(),
+                            arguments,
                             instance.connectors()));
         }
+    }
+
+    /** Arguments for features have chosen the component. */
+    private static List<Argument> forParameters(ComponentSymbol owner, Element.Subcomponent node) {
+        return owner.signature()
+                .resolveComponent(node.type().name())
+                .found()
+                .map(part -> part.declaration().withoutFeatures(node.arguments()))
+                .orElse(node.arguments());
     }
 
     private static InstanceSymbol named(

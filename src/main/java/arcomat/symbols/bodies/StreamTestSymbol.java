@@ -102,7 +102,8 @@ public final class StreamTestSymbol {
     }
 
     private Typed message(TestSuite.Message message, TypeSymbol expected) {
-        Typed typed = ExpressionTyping.message(message.expression(), suite.emptyScope(), expected);
+        Typed typed =
+                ExpressionTyping.message(message.expression(), suite.scope(expected), expected);
         return expected.isErroneous() ? typed.withoutUnknownNames() : typed;
     }
 

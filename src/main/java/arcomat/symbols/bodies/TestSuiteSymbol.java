@@ -3,9 +3,13 @@ package arcomat.symbols.bodies;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ValueScope;
+import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.ComponentDeclaration;
+import arcomat.symbols.names.FeatureChoice;
+import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
+import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
@@ -18,6 +22,7 @@ public final class TestSuiteSymbol {
     private final UnitScope scope;
     private final TestSuite node;
     private final Lazy<Resolution<ComponentSymbol>> component;
+    private final Lazy<List<VariableSymbol>> fields;
     private final Lazy<List<StreamTestSymbol>> tests = new Lazy<>(this::makeTests);
 
     /**
@@ -29,7 +34,17 @@ public final class TestSuiteSymbol {
             Function<ComponentDeclaration, ComponentSymbol> components) {
         this.scope = scope;
         this.node = node;
-        this.component = new Lazy<>(() -> scope.component(node.component()).map(components));
+        this.fields = new Lazy<>(() -> new SuiteFields(node, emptyScope()).known());
+        this.component =
+                new Lazy<>(
+                        () ->
+                                scope.component(node.component())
+                                        .map(
+                                                named ->
+                                                        named.chosen(
+                                                                node.arguments(),
+                                                                FeatureChoice.NONE))
+                                        .map(components));
     }
 
     public TestSuite node() {
@@ -52,17 +67,38 @@ public final class TestSuiteSymbol {
     /** The arguments for the component, typed against its parameters. */
     public List<GivenArgument> arguments() {
         return GivenArgument.of(
-                node.arguments(),
+                scope.component(node.component())
+                        .found()
+                        .map(named -> named.withoutFeatures(node.arguments()))
+                        .orElse(node.arguments()),
                 component().found().map(ComponentSymbol::parameters).orElse(List.of()),
                 type -> type,
-                (value, expected) -> ExpressionTyping.message(value, emptyScope(), expected));
+                (value, expected) -> ExpressionTyping.message(value, scope(expected), expected));
     }
 
     public List<StreamTestSymbol> tests() {
         return tests.get();
     }
 
-    ValueScope emptyScope() {
+    /** Fields with values that messages and arguments may name. */
+    public List<VariableSymbol> fields() {
+        return fields.get();
+    }
+
+    /** Where a constant of an enumeration is due, its name is no field's. */
+    ValueScope scope(TypeSymbol expected) {
+        return emptyScope()
+                .with(
+                        fields().stream()
+                                .filter(field -> !isConstant(field.name(), expected))
+                                .toList());
+    }
+
+    private static boolean isConstant(String name, TypeSymbol type) {
+        return type instanceof EnumSymbol constants && constants.ordinal(name).isPresent();
+    }
+
+    private ValueScope emptyScope() {
         return ValueScope.empty(scope, scope::type);
     }
 

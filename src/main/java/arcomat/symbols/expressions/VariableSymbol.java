@@ -16,7 +16,9 @@ public final class VariableSymbol extends DeclaredValue {
         /** Read and written by the automaton that writes it; a constant where none does. */
         COMPONENT,
         /** A name for a value among the statements of one step. */
-        LOCAL
+        LOCAL,
+        /** Of a suite of tests; stands for its value. */
+        SUITE
     }
 
     private final Kind kind;

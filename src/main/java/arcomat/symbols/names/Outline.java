@@ -38,7 +38,8 @@ public record Outline(
 
     private static Outline ofComponent(String home, Component component) {
         List<String> components = new ArrayList<>();
-        add(component, home, components);
+        Component all = Variants.of(component).map(Variants::everything).orElse(component);
+        add(all, home, components);
         return new Outline(home, components, Optional.empty(), List.of());
     }
 

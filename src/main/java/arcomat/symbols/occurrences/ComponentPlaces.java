@@ -145,17 +145,19 @@ final class ComponentPlaces implements Element.Visitor {
         }
         BehaviourPlaces behaviours = new BehaviourPlaces(places, expressions);
         NamePlaces translated = new NamePlaces();
-        BehaviourPlaces foreign = new BehaviourPlaces(translated, expressions.to(translated));
+        BehaviourPlaces meant = new BehaviourPlaces(translated, expressions.to(translated));
         for (AutomatonSymbol automaton : component.ownAutomata()) {
-            (isForeign(automaton) ? foreign : behaviours).automaton(automaton);
+            (isWritten(automaton) ? behaviours : meant).automaton(automaton);
         }
         places.addNames(translated);
         component.ownTables().forEach(behaviours::table);
     }
 
-    private boolean isForeign(AutomatonSymbol automaton) {
-        return component.node().elements(Behaviour.Foreign.class).stream()
-                .anyMatch(each -> each.automata().contains(automaton.node()));
+    /** No word stands for the states of what is only meant. */
+    private boolean isWritten(AutomatonSymbol automaton) {
+        return component.node().elements(Behaviour.class).stream()
+                .filter(Behaviour::isMeaning)
+                .noneMatch(each -> each.automata().contains(automaton.node()));
     }
 
     @Override
@@ -263,6 +265,21 @@ final class ComponentPlaces implements Element.Visitor {
     /** Walked with its symbol. */
     @Override
     public void invariant(Element.Invariant invariant) {}
+
+    /** Features have no symbols. */
+    @Override
+    public void features(Element.Features features) {}
+
+    @Override
+    public void constraint(Element.Constraint constraint) {}
+
+    /** What it holds stands among the elements. */
+    @Override
+    public void variation(Element.Variation variation) {}
+
+    /** Walked with the automaton that it is the start of. */
+    @Override
+    public void start(Element.Start start) {}
 
     /** Java's names are nobody's here. */
     @Override

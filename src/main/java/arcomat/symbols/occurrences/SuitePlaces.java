@@ -5,6 +5,7 @@ import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.occurrences.Occurrence.Role;
 import arcomat.tree.Name;
 
@@ -24,6 +25,10 @@ record SuitePlaces(NamePlaces places, ExpressionPlaces expressions) {
                                         suite.node().component().parts(),
                                         new Referent.Component(component.signature())));
         expressions.arguments(suite.arguments());
+        for (VariableSymbol field : suite.fields()) {
+            places.declared(field.nameSpan(), new Referent.Variable(field));
+            field.initial().ifPresent(expressions::in);
+        }
         for (StreamTestSymbol test : suite.tests()) {
             places.declared(test.node().name().span(), new Referent.Test(test));
             test.streams().forEach(stream -> stream(suite, stream));

@@ -6,6 +6,7 @@ import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
 import arcomat.symbols.names.UnsupportedType;
+import arcomat.tree.Argument;
 import arcomat.tree.TypeReference;
 import arcomat.tree.TypeReference.TypeArgument;
 
@@ -34,16 +35,23 @@ public record ComponentReference(
         return new ComponentReference(
                 reference.span(),
                 reference.name().text(),
-                ComponentNames.superComponent(heir, reference.name()),
+                heir.chosen(
+                        ComponentNames.superComponent(heir, reference.name()),
+                        heir.node().superArguments().orElse(List.of())),
                 resolve(heir, reference.arguments()));
     }
 
-    /** The type of a subcomponent, seen from the component around it. */
-    public static ComponentReference inside(Signature whole, TypeReference reference) {
+    /**
+     * The type of a subcomponent, seen from the component around it.
+     *
+     * @param given its arguments, which choose its features
+     */
+    public static ComponentReference inside(
+            Signature whole, TypeReference reference, List<Argument> given) {
         return new ComponentReference(
                 reference.span(),
                 reference.name().text(),
-                whole.resolveComponent(reference.name()),
+                whole.chosen(whole.resolveComponent(reference.name()), given),
                 resolve(whole, reference.arguments()));
     }
 

@@ -14,6 +14,7 @@ import arcomat.symbols.names.TypeReferences;
 import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.TypeVariable;
+import arcomat.tree.Argument;
 import arcomat.tree.Component;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
@@ -113,6 +114,22 @@ public final class Signature {
         return declaration.typeParameters();
     }
 
+    /**
+     * What is named here, in the configuration that arguments choose. Excused where they choose
+     * none, unless this is for several configurations itself: then it is what has all that any of
+     * them has.
+     */
+    Resolution<Signature> chosen(Resolution<Signature> named, List<Argument> arguments) {
+        Resolution<Signature> meant =
+                named.map(
+                        each ->
+                                of(
+                                        each.declaration.chosen(
+                                                arguments, declaration.configuration())));
+        boolean left = meant.found().filter(each -> each.declaration.isOpen()).isPresent();
+        return left && !declaration.isOpen() ? Resolution.excused() : meant;
+    }
+
     public boolean isGeneric() {
         return !typeParameters().isEmpty();
     }
@@ -177,13 +194,21 @@ public final class Signature {
         Optional<ComponentReference> above = superComponent();
         TypeSubstitution types =
                 above.map(ComponentReference::substitution).orElse(TypeSubstitution.NONE);
+        List<Argument> written = node().superArguments().get();
         return GivenArgument.of(
-                node().superArguments().get(),
+                superNamed().map(each -> each.withoutFeatures(written)).orElse(written),
                 above.flatMap(ComponentReference::component)
                         .map(Signature::parameters)
                         .orElse(List.of()),
                 types::apply,
                 ExpressionTyping.at(parameterScope()));
+    }
+
+    /** What it extends, before a configuration is chosen. */
+    public Optional<ComponentDeclaration> superNamed() {
+        return node().superComponent()
+                .flatMap(type -> ComponentNames.superComponent(this, type.name()).found())
+                .map(Signature::declaration);
     }
 
     /** This component and those above it, nearest first; ends before one would come again. */
@@ -210,7 +235,7 @@ public final class Signature {
     /** The components named behind {@code refines}. */
     public List<Refinement> refines() {
         return node().refines().stream()
-                .map(name -> new Refinement(name, resolveComponent(name)))
+                .map(name -> new Refinement(name, chosen(resolveComponent(name), List.of())))
                 .toList();
     }
 

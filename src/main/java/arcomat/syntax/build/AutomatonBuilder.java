@@ -17,7 +17,7 @@ import java.util.Optional;
 /** Automata and their elements. */
 final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
     private final BlockBuilder blocks;
-    private final StatementBuilder statements;
+    final StatementBuilder statements;
 
     AutomatonBuilder(Phrases phrases, BlockBuilder blocks) {
         super(phrases);

@@ -4,6 +4,8 @@ import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Block;
 import arcomat.tree.Expression;
 
+import java.util.List;
+
 /** Blocks and their items. */
 final class BlockBuilder extends TreeBuilder<Block.Item> {
     final ValueBuilder values;
@@ -29,7 +31,17 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
 
     private Block.Item message(ArcomatParser.ItemContext context) {
         return new Block.Message(
-                span(context), phrases.optionalName(context.name()), values.build(context.value()));
+                span(context), phrases.optionalName(context.name()), value(context.value()));
+    }
+
+    /** Several are alternatives, as the tools of 2016 wrote them: {@code a | b}. */
+    private Block.Value value(List<ArcomatParser.ValueContext> written) {
+        ArcomatParser.ValueContext first = written.get(0);
+        return written.size() == 1
+                ? values.build(first)
+                : new Block.Alternatives(
+                        span(first.start, written.get(written.size() - 1).stop),
+                        values.buildAll(written));
     }
 
     private Block.Item increment(ArcomatParser.ItemContext context) {

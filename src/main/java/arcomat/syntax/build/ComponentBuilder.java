@@ -20,6 +20,7 @@ import java.util.Optional;
 final class ComponentBuilder extends TreeBuilder<Element> {
     private final AutomatonBuilder automata;
     private final BlockBuilder.ValueBuilder values;
+    private final Computations computations;
     private final List<Token> tokens;
 
     /**
@@ -32,6 +33,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
             List<Token> tokens) {
         super(phrases);
         this.automata = automata;
+        this.computations = new Computations(phrases, automata.statements);
         this.values = values;
         this.tokens = tokens;
     }
@@ -55,7 +57,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 optional(context.superArguments, phrases.expressions::given),
                 phrases.qualifiedNames(context.refined),
                 optional(context.namedInstance(), this::namedInstance),
-                buildAll(context.element()));
+                Computations.begun(buildAll(context.element())));
     }
 
     private static boolean hasModifier(ArcomatParser.ComponentContext context, String word) {
@@ -210,12 +212,29 @@ final class ComponentBuilder extends TreeBuilder<Element> {
     }
 
     @Override
-    public Element visitJavaPart(ArcomatParser.JavaPartContext context) {
-        return new Element.JavaPart(
+    public Element visitFeatures(ArcomatParser.FeaturesContext context) {
+        return new Element.Features(span(context), phrases.names(context.name()));
+    }
+
+    @Override
+    public Element visitConstraint(ArcomatParser.ConstraintContext context) {
+        return new Element.Constraint(
+                span(context), phrases.expressions.build(context.expression()));
+    }
+
+    @Override
+    public Element visitVariation(ArcomatParser.VariationContext context) {
+        return new Element.Variation(
                 span(context),
-                context.keyword.getText(),
-                phrases.optionalName(context.name()),
-                span(context.javaBlock()).text());
+                phrases.expressions.build(context.expression()),
+                Computations.begun(buildAll(context.element())),
+                context.alternative() == null ? List.of() : alternative(context.alternative()));
+    }
+
+    private List<Element> alternative(ArcomatParser.AlternativeContext context) {
+        return context.variation() == null
+                ? Computations.begun(buildAll(context.element()))
+                : List.of(visitVariation(context.variation()));
     }
 
     // ---- behaviour languages --------------------------------------------------------------
@@ -240,6 +259,11 @@ final class ComponentBuilder extends TreeBuilder<Element> {
     private IoTable.Row row(ArcomatParser.RowContext context) {
         return new IoTable.Row(
                 span(context), values.buildAll(context.inputs), values.buildAll(context.outputs));
+    }
+
+    @Override
+    public Element visitComputation(ArcomatParser.ComputationContext context) {
+        return computations.element(context);
     }
 
     @Override

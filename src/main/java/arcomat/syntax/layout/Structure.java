@@ -43,6 +43,8 @@ final class Structure {
                     ArcomatParser.RULE_component,
                     ArcomatParser.RULE_automaton,
                     ArcomatParser.RULE_statements,
+                    ArcomatParser.RULE_variation,
+                    ArcomatParser.RULE_alternative,
                     ArcomatParser.RULE_ioTable,
                     ArcomatParser.RULE_implementation,
                     ArcomatParser.RULE_classDiagram,

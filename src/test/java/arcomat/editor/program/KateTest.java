@@ -37,7 +37,7 @@ class KateTest {
 
     @BeforeEach
     void install() throws IOException {
-        Optional<String> there = PROGRAMS.stream().filter(KateTest::isThere).findFirst();
+        Optional<String> there = PROGRAMS.stream().filter(Installed::isThere).findFirst();
         assumeTrue(there.isPresent(), "Kate's colours (kate-syntax-highlighter) are not installed");
         program = there.get();
         Path syntax = Files.createDirectories(folder.resolve("org.kde.syntax-highlighting/syntax"));
@@ -46,11 +46,6 @@ class KateTest {
                 Files.copy(file, syntax.resolve(file.getFileName()));
             }
         }
-    }
-
-    private static boolean isThere(String program) {
-        return Stream.of(System.getenv("PATH").split(":"))
-                .anyMatch(each -> Files.isExecutable(Path.of(each, program)));
     }
 
     @Test

@@ -11,7 +11,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
@@ -33,7 +32,7 @@ class NeovimTest {
 
     @Test
     void aModelIsBrokenMendedRenamedAndFormatted() throws Exception {
-        assumeTrue(isThere("nvim"), "Neovim (nvim) is not installed");
+        assumeTrue(Installed.isThere("nvim"), "Neovim (nvim) is not installed");
         Path models = Files.createDirectories(folder.resolve("models/p"));
         for (String name : new String[] {"Door.arc", "House.arc"}) {
             Files.copy(FILES.resolve("p").resolve(name), models.resolve(name));
@@ -84,10 +83,5 @@ class NeovimTest {
                 .redirectOutput(output.toFile())
                 .redirectInput(ProcessBuilder.Redirect.from(new File("/dev/null")))
                 .start();
-    }
-
-    private static boolean isThere(String program) {
-        return Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
-                .anyMatch(path -> Files.isExecutable(Path.of(path, program)));
     }
 }

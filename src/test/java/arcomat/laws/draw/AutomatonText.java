@@ -30,14 +30,13 @@ final class AutomatonText {
      * @param plugs of the component that the automaton may read and write
      */
     static List<String> of(Draw draw, List<Plug> plugs, boolean events, String name) {
-        return new AutomatonText(draw, plugs, events).write(name);
+        AutomatonText text = new AutomatonText(draw, plugs, events);
+        boolean computed = name.isEmpty() && !events && draw.chance(Features.COMPUTED, 15);
+        return computed ? text.compute() : text.write(name);
     }
 
     private List<String> write(String name) {
-        String omitted = free ? ", omitted = \"free\"" : "";
-        lines.add(
-                "    <<completion = \"%s\"%s>> automaton%s {"
-                        .formatted(completion(), omitted, name.isEmpty() ? "" : " " + name));
+        lines.add("    %s automaton%s {".formatted(head(), name.isEmpty() ? "" : " " + name));
         variables(name.isEmpty() && draw.chance(Features.FIELDS, 30));
         int states = draw.chance(10) ? 1 + draw.below(12) : 1 + draw.below(4);
         IntStream.range(0, states).forEach(i -> lines.add("        state s%d;".formatted(i)));
@@ -51,6 +50,26 @@ final class AutomatonText {
             }
         }
         lines.add("    }");
+        return lines;
+    }
+
+    private String head() {
+        String omitted = free ? ", omitted = \"free\"" : "";
+        return "<<completion = \"%s\"%s>>".formatted(completion(), omitted);
+    }
+
+    /** What is read without being asked for may be missing. */
+    private List<String> compute() {
+        lines.add("    %s compute {".formatted(head()));
+        variables(true);
+        List<Plug> present = new ArrayList<>();
+        inputs.stream().filter(each -> each.total() || draw.chance(50)).forEach(present::add);
+        lines.add("        " + statements(effects(present), present));
+        lines.add("    }");
+        List<String> first = initially();
+        if (!first.isEmpty()) {
+            lines.add("    init { %s; }".formatted(String.join("; ", first)));
+        }
         return lines;
     }
 
@@ -92,6 +111,10 @@ final class AutomatonText {
     }
 
     private void initial(int state) {
+        lines.add("        initial s%d%s;".formatted(state, block(" / ", initially())));
+    }
+
+    private List<String> initially() {
         List<String> effects = new ArrayList<>();
         for (Plug output : outputs) {
             boolean sends = events ? draw.chance(25) : output.delay() == 1 && draw.chance(50);
@@ -99,7 +122,7 @@ final class AutomatonText {
                 effects.add(output.name() + " = " + draw.one(Plug.messages(output.type())));
             }
         }
-        lines.add("        initial s%d%s;".formatted(state, block(" / ", effects)));
+        return effects;
     }
 
     private static String block(String before, List<String> items) {
@@ -110,17 +133,7 @@ final class AutomatonText {
         List<Plug> present = new ArrayList<>();
         List<String> items = events ? List.of(event(present)) : items(present);
         String guard = draw.chance(30) ? guard(present) : "";
-        List<String> effects = new ArrayList<>();
-        for (Plug output : outputs) {
-            if (output.total() || draw.chance(60)) {
-                effects.add(sends(output, present));
-            }
-        }
-        for (Local local : locals) {
-            if (draw.chance(40)) {
-                effects.add(keeps(local, present));
-            }
-        }
+        List<String> effects = effects(present);
         lines.add(
                 "        %ss%d -> s%d%s%s%s;"
                         .formatted(
@@ -132,6 +145,21 @@ final class AutomatonText {
                                 draw.chance(Features.STATEMENTS, 20)
                                         ? " / do { " + statements(effects, present) + " }"
                                         : block(" / ", effects)));
+    }
+
+    private List<String> effects(List<Plug> present) {
+        List<String> effects = new ArrayList<>();
+        for (Plug output : outputs) {
+            if (output.total() || draw.chance(60)) {
+                effects.add(sends(output, present));
+            }
+        }
+        for (Local local : locals) {
+            if (draw.chance(40)) {
+                effects.add(keeps(local, present));
+            }
+        }
+        return effects;
     }
 
     private String sends(Plug output, List<Plug> present) {

@@ -14,11 +14,14 @@ public final class Conjunctions {
     private final List<Plug> plugs;
     private final SourceFile sole;
 
+    /** Nothing stands beside what is computed, so nothing is. */
     public Conjunctions(Draw draw) {
         this.draw = draw;
         this.events = draw.has(Features.EVENTS) && draw.chance(15);
         this.plugs = ComponentText.plugs(draw, events);
-        this.sole = ComponentText.atomic(draw, "a", "Main", plugs, events, 1);
+        this.sole =
+                ComponentText.atomic(
+                        draw.without(Features.COMPUTED), "a", "Main", plugs, events, 1);
     }
 
     /** {@code a.Main} with one automaton. */

@@ -1,5 +1,6 @@
 package arcomat.laws.draw;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
@@ -10,8 +11,19 @@ public final class Draw {
     private final Set<Features> features;
 
     public Draw(long seed, Set<Features> features) {
-        this.random = new Random(seed);
+        this(new Random(seed), features);
+    }
+
+    private Draw(Random random, Set<Features> features) {
+        this.random = random;
         this.features = features;
+    }
+
+    /** The same, but for one feature. */
+    Draw without(Features feature) {
+        Set<Features> fewer = new HashSet<>(features);
+        fewer.remove(feature);
+        return new Draw(random, fewer);
     }
 
     public boolean has(Features feature) {

@@ -28,7 +28,9 @@ public enum Features {
     /** Transitions that come before others. */
     RANKS,
     /** What is done one after the other, with choices. */
-    STATEMENTS;
+    STATEMENTS,
+    /** What is computed in each slice, without states. */
+    COMPUTED;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

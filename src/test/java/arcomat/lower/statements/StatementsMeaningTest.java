@@ -49,8 +49,12 @@ class StatementsMeaningTest {
             Random random = new Random(seed);
             Program program = DrawnProgram.of(random);
             Term guard = Term.silence("p", random.nextBoolean(), "--");
-            boolean guarded = random.nextInt(4) == 0;
-            String text = text(program, guarded ? "[" + guard.text() + "] " : "");
+            boolean computed = seed % 3 == 0;
+            boolean guarded = !computed && random.nextInt(4) == 0;
+            String text =
+                    computed
+                            ? computed(program)
+                            : text(program, guarded ? "[" + guard.text() + "] " : "");
             Optional<StepRelation> relation = relation(text);
             if (relation.isEmpty()) {
                 seen.merge("too many ways", 1, Integer::sum);
@@ -94,6 +98,25 @@ class StatementsMeaningTest {
         }
         """
                 .formatted(guard, String.join("\n      ", program.lines()));
+    }
+
+    /** The same statements, without states. */
+    private static String computed(Program program) {
+        return """
+        component C {
+          timing instant;
+          port in Integer p, in Boolean q, out Integer[0..9] o, out Boolean r;
+          var Integer[-9..9] a = 0;
+          var Boolean c = false;
+          var Integer b = 0;
+          init { a = 0; b = a; c = false; }
+          <<completion = "ignore">> compute {
+              %s
+              a = a; b = b; c = c;
+          }
+        }
+        """
+                .formatted(String.join("\n      ", program.lines()));
     }
 
     private static Optional<StepRelation> relation(String text) {

@@ -127,7 +127,7 @@ class MakeCampaignTest {
         Campaign campaign =
                 CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
         Freight freight = new Freight("1", text, "", true, 300, Map.of());
-        return new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS, List.of());
+        return new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS, List.of(), List.of());
     }
 
     private Made make(String text, String results, boolean resumes, Engine engine) throws WrongUse {

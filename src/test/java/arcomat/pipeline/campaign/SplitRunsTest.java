@@ -96,7 +96,7 @@ class SplitRunsTest {
         Freight freight = new Freight("1", TEXT, "", true, 300, Map.of());
         PrepareCampaign.Ready ready =
                 new PrepareCampaign.Ready(
-                        CAMPAIGN, "a.world", freight, CoverageItems.NONE, List.of());
+                        CAMPAIGN, "a.world", freight, CoverageItems.NONE, List.of(), List.of());
         return Session.in(folder, Progress.NONE).run(new SplitRuns(ready, content -> engine));
     }
 

@@ -23,17 +23,22 @@ class RunAgainTest {
                     ReachedItems.UNKNOWN);
 
     @Test
-    void namesLibraries() {
-        RunAgain replay = new RunAgain("yard.world", true, List.of("parts", "their models"));
+    void namesLibrariesAndGuests() {
+        RunAgain replay =
+                new RunAgain(
+                        "yard.world",
+                        true,
+                        List.of("parts", "their models"),
+                        List.of("a guest.jar"));
         assertThat(replay.command(ROW))
                 .isEqualTo(
                         "arcomat world yard.world --seed 7 --set wall=1000 --library parts"
-                                + " --library 'their models' --report build/run");
+                            + " --library 'their models' --with 'a guest.jar' --report build/run");
     }
 
     @Test
     void leavesOutWhatThereIsNot() {
-        assertThat(new RunAgain("yard.world", false, List.of()).command(ROW, "page"))
+        assertThat(new RunAgain("yard.world", false, List.of(), List.of()).command(ROW, "page"))
                 .isEqualTo(
                         "arcomat world yard.world --seed 7 --set wall=1000 --no-limits --report"
                                 + " page");

@@ -155,7 +155,7 @@ final class SampleCampaigns {
         return new CampaignReport(
                 file,
                 campaign,
-                new RunAgain("models/yard/world/yard.world", true, List.of()),
+                new RunAgain("models/yard/world/yard.world", true, List.of(), List.of()),
                 judge.result(column -> measured(campaign, column)),
                 Overview.of(campaign, () -> rows(campaign)),
                 coverage(campaign),

@@ -5,8 +5,8 @@ import org.gradle.util.GradleVersion;
 
 /** The versions of Gradle that the plugin works with. */
 final class GradleRange {
-    /** The oldest that it is tried with. */
-    private static final GradleVersion LEAST = GradleVersion.version("8.8");
+    /** The oldest that it is tried with, and the oldest that can be had from Maven Central. */
+    private static final GradleVersion LEAST = GradleVersion.version("7.6");
 
     private GradleRange() {}
 

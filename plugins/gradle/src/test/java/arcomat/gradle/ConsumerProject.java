@@ -135,6 +135,12 @@ final class ConsumerProject {
         return new ConsumerProject(folder, ConsumerProject::withLocalMaven);
     }
 
+    /** Built by another Gradle. */
+    ConsumerProject by(Path gradle) {
+        return new ConsumerProject(
+                folder, runner -> origin.apply(runner).withGradleInstallation(gradle.toFile()));
+    }
+
     private static GradleRunner withLocalMaven(GradleRunner runner) {
         List<String> arguments = new ArrayList<>(runner.getArguments());
         arguments.add("-Dmaven.repo.local=" + System.getProperty("repository"));

@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Distributions of other versions are not at hand: what is said of them can be tried. */
+/** What is said of versions; {@link OldestGradleTest} tries the oldest one. */
 class GradleRangeTest {
     @ParameterizedTest
-    @ValueSource(strings = {"8.8", "8.8-rc-1", "8.14.3", "9.0"})
+    @ValueSource(strings = {"7.6", "7.6-rc-1", "8.8", "8.14.3", "9.0"})
     void worksWith(String version) {
         assertThatCode(() -> GradleRange.require(GradleVersion.version(version)))
                 .doesNotThrowAnyException();
@@ -20,10 +20,10 @@ class GradleRangeTest {
 
     @Test
     void refusesWhatIsOlder() {
-        assertThatThrownBy(() -> GradleRange.require(GradleVersion.version("8.7")))
+        assertThatThrownBy(() -> GradleRange.require(GradleVersion.version("7.5.1")))
                 .isInstanceOf(GradleException.class)
                 .hasMessage(
-                        "the plugin 'arcomat' needs Gradle 8.8 or newer, and this is 8.7;"
-                                + " './gradlew wrapper --gradle-version 8.8' brings it");
+                        "the plugin 'arcomat' needs Gradle 7.6 or newer, and this is 7.5.1;"
+                                + " './gradlew wrapper --gradle-version 7.6' brings it");
     }
 }

@@ -21,6 +21,8 @@ class GuestBuildsTest {
     @CsvSource({
         "blink, tryLanguage, src/main/java/blink/Blink.java, equals(\"on\"), equals(\"off\")",
         "lab, tryLaws, src/main/java/lab/PortSaysWhatIs.java, says what is not, says nothing",
+        "montiarc7, tryModels, src/main/java/montiarc7/StartWriter.java, !delayed.contains,"
+                + " delayed.contains",
         "statemachine, tryLanguage, src/main/java/statemachine/Entering.java, DEEP ?, SHALLOW ?"
     })
     void isBuiltAndTried(String guest, String task, String file, String good, String bad) {

@@ -88,6 +88,7 @@ public final class Items {
             case AUTOMATON -> "variable";
             case COMPONENT -> "component variable";
             case LOCAL -> "local variable";
+            case SUITE -> "field";
         };
     }
 

@@ -4,7 +4,6 @@ import arcomat.cli.command.Command;
 import arcomat.cli.option.BaselineOptions;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.LibraryOption;
-import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
@@ -89,10 +88,11 @@ public final class CheckCommand extends Command {
 
     @Override
     protected int run(Session session) throws WrongUse {
+        reports.prepare(session);
         CheckResult result = check(session);
         CheckReport report = baselines.apply(result, session);
-        Rendering rendering = new CheckRendering("check", report, strict, machineFormats());
-        reports.write(rendering, session, console());
+        CheckRendering rendering = new CheckRendering("check", report, strict, machineFormats());
+        reports.write(rendering.results(), session, console());
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;
         }

@@ -2,6 +2,7 @@ package arcomat.cli.command.model;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.CommandResults;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
@@ -55,14 +56,16 @@ public final class ImportCommand extends Command {
 
     @Override
     protected int run(Session session) throws WrongUse {
+        reports.prepare(session);
         ImportModels.Result result = session.run(new ImportModels(kind, folder, out, overwrite));
-        Rendering findings = CheckRendering.refused("import", result.originals(), machineFormats());
-        reports.write(
+        CheckRendering findings =
+                CheckRendering.refused("import", result.originals(), machineFormats());
+        Rendering all =
                 (format, style) ->
                         findings.text(format, style)
-                                + (format == ReportFormat.text ? told(result) : ""),
-                session,
-                console());
+                                + (format == ReportFormat.text ? told(result) : "");
+        reports.write(
+                new CommandResults("import", all, findings.report()::reported), session, console());
         if (result.originals().hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;
         }

@@ -6,6 +6,7 @@ import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.BrickLimitOption;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ClusterOptions;
+import arcomat.cli.option.CommandResults;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
@@ -110,6 +111,7 @@ public final class GateCommand extends LimitedCommand {
 
     @Override
     protected int run(Session session) throws WrongUse {
+        reports.prepare(session);
         requireCampaign("--no-limits", bricks.isGiven());
         requireCampaign("--cluster", clusters.isWanted());
         Function<Freight, Engine> engines = engines(session);
@@ -118,7 +120,7 @@ public final class GateCommand extends LimitedCommand {
         if (prepared.check().hasErrors()) {
             tellAside(prepared.check());
             reports.write(
-                    CheckRendering.refused("gate", prepared.check(), machineFormats()),
+                    CheckRendering.refused("gate", prepared.check(), machineFormats()).results(),
                     session,
                     console());
             return ExitStatus.WRONG_USE;
@@ -127,13 +129,25 @@ public final class GateCommand extends LimitedCommand {
         Aside aside = result.aside().and(prepared.check().aside());
         tellAside(aside);
         if (result.gate().isEmpty()) {
-            reports.write((format, style) -> refusal(result, format, style), session, console());
+            reports.write(
+                    new CommandResults(
+                            "gate",
+                            (format, style) -> refusal(result, format, style),
+                            () -> refusal(result).report().reported()),
+                    session,
+                    console());
             return ExitStatus.WRONG_USE;
         }
         RunGateCampaigns.Result runs =
                 session.run(new RunGateCampaigns(prepared.campaigns(), engines));
         Outcome outcome = new Outcome(result, result.gate().get(), runs);
-        reports.write((format, style) -> text(outcome, aside, format, style), session, console());
+        reports.write(
+                new CommandResults(
+                        "gate",
+                        (format, style) -> text(outcome, aside, format, style),
+                        () -> reported(outcome, aside)),
+                session,
+                console());
         return aside.isEmpty() ? status(outcome.answer()) : ExitStatus.WRONG_USE;
     }
 
@@ -186,8 +200,12 @@ public final class GateCommand extends LimitedCommand {
             return refusal("the base", base, result.base(), style)
                     + refusal("the new models", paths, result.check(), style);
         }
+        return refusal(result).text(format, style);
+    }
+
+    private CheckRendering refusal(PassGate.Result result) {
         CheckResult both = result.base().and(result.check());
-        return CheckRendering.refused("gate", both, machineFormats()).text(format, style);
+        return CheckRendering.refused("gate", both, machineFormats());
     }
 
     private String refusal(String side, List<String> where, CheckResult check, Style style) {

@@ -5,9 +5,9 @@ import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.CommandResults;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
-import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -55,15 +55,22 @@ public final class VerifyCommand extends LimitedCommand {
         CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
         tellAside(reply.check());
         if (reply.value().isEmpty()) {
-            Rendering findings = CheckRendering.refused("verify", reply.check(), machineFormats());
-            reports.write(findings, session, console());
+            CheckRendering findings =
+                    CheckRendering.refused("verify", reply.check(), machineFormats());
+            reports.write(findings.results(), session, console());
             return ExitStatus.WRONG_USE;
         }
         List<Answered> answers = reply.value().get();
         reports.writePage(
                 () -> VerdictPage.of("verify", String.join(", ", paths), answers), session);
         Aside aside = reply.check().aside();
-        reports.write((format, style) -> text(answers, aside, format, style), session, console());
+        reports.write(
+                new CommandResults(
+                        "verify",
+                        (format, style) -> text(answers, aside, format, style),
+                        () -> reported(answers, aside)),
+                session,
+                console());
         return aside.isEmpty() ? status(worst(answers)) : ExitStatus.WRONG_USE;
     }
 
@@ -75,7 +82,7 @@ public final class VerifyCommand extends LimitedCommand {
     }
 
     private String text(List<Answered> answers, Aside aside, ReportFormat format, Style style) {
-        List<Reported> findings = CheckRendering.withAside(VerdictFindings.of(answers), aside);
+        List<Reported> findings = reported(answers, aside);
         return switch (format) {
             case text -> text(answers, style) + summary(answers, style);
             case json -> VerdictJson.render(answers);
@@ -86,6 +93,10 @@ public final class VerifyCommand extends LimitedCommand {
                             "arcomat verify",
                             CheckRendering.withCasesAside(VerdictCases.of(answers), aside));
         };
+    }
+
+    private static List<Reported> reported(List<Answered> answers, Aside aside) {
+        return CheckRendering.withAside(VerdictFindings.of(answers), aside);
     }
 
     /** A line for each, then the failures at length. */

@@ -2,6 +2,7 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.CommandResults;
 import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
@@ -68,13 +69,21 @@ public final class TestCommand extends Command {
         tellAside(check);
         if (reply.value().isEmpty()) {
             reports.write(
-                    CheckRendering.refused("test", check, machineFormats()), session, console());
+                    CheckRendering.refused("test", check, machineFormats()).results(),
+                    session,
+                    console());
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
         List<StreamTestResult> tests = reply.value().get();
         Aside aside = check.aside();
         reports.writePage(() -> StreamTestPage.of(String.join(", ", paths), tests), session);
-        reports.write((format, style) -> text(tests, aside, format, style), session, console());
+        reports.write(
+                new CommandResults(
+                        "test",
+                        (format, style) -> text(tests, aside, format, style),
+                        () -> reported(tests, aside)),
+                session,
+                console());
         return aside.isEmpty() ? status(tests) : ExitStatus.FINDINGS;
     }
 
@@ -87,9 +96,13 @@ public final class TestCommand extends Command {
         return verdicts.contains(Verdict.UNKNOWN) ? ExitStatus.UNKNOWN : ExitStatus.FINE;
     }
 
+    private static List<Reported> reported(List<StreamTestResult> tests, Aside aside) {
+        return CheckRendering.withAside(StreamTestFindings.of(tests), aside);
+    }
+
     private String text(
             List<StreamTestResult> tests, Aside aside, ReportFormat format, Style style) {
-        List<Reported> findings = CheckRendering.withAside(StreamTestFindings.of(tests), aside);
+        List<Reported> findings = reported(tests, aside);
         String summary = StreamTestText.summary(tests, style) + "\n";
         return switch (format) {
             case text -> StreamTestText.render(tests, style) + summary;

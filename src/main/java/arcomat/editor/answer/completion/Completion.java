@@ -1,7 +1,10 @@
 package arcomat.editor.answer.completion;
 
 import arcomat.editor.desk.View;
+import arcomat.editor.foreign.GuestText;
 import arcomat.editor.text.Positions;
+import arcomat.guest.BehaviourLanguage.Suggestion;
+import arcomat.guest.host.Guests;
 import arcomat.syntax.Caret;
 import arcomat.syntax.Continuations;
 
@@ -14,17 +17,22 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
  * What could be written at a place: names that fit before keywords, keywords before whole pieces.
+ * In a text of a guest's language it is what the guest says.
  */
 public final class Completion {
     /** What the grammar takes for the sake of old models, and nobody should begin with. */
     private static final Set<String> OUTDATED =
             Set.of(
-                    "boolean", "byte", "call", "char", "compute", "double", "float", "init", "int",
-                    "long", "new", "null", "short");
+                    "boolean", "byte", "call", "char", "double", "float", "int", "long", "new",
+                    "null", "short");
+
+    /** A word that behaviours begin with, and only behaviours of components. */
+    private static final String BEHAVIOUR = "table";
 
     private Completion() {}
 
@@ -33,6 +41,13 @@ public final class Completion {
     }
 
     private static List<CompletionItem> at(View view, Caret caret) {
+        int offset = caret.written().end();
+        Optional<GuestText> foreign = GuestText.around(view, offset);
+        if (foreign.isPresent()) {
+            return placed(
+                    foreign.get().suggestions(offset).stream().map(Completion::item).toList(),
+                    caret);
+        }
         Continuations possible = Continuations.at(caret, view.file());
         Map<String, CompletionItem> items = new LinkedHashMap<>();
         KnownNames known = new KnownNames(WritingPlace.of(view, caret));
@@ -49,9 +64,31 @@ public final class Completion {
                 items.putIfAbsent(skeleton.label(), skeleton.item());
             }
         }
+        if (possible.words().contains(BEHAVIOUR)) {
+            for (Guests.Language each : view.models().guests().languages()) {
+                items.putIfAbsent(each.keyword(), keyword(each));
+            }
+        }
+        return placed(List.copyOf(items.values()), caret);
+    }
+
+    private static List<CompletionItem> placed(List<CompletionItem> items, Caret caret) {
         Range typed = Positions.range(caret.typed());
-        items.values().forEach(item -> place(item, typed));
-        return List.copyOf(items.values());
+        items.forEach(item -> place(item, typed));
+        return items;
+    }
+
+    private static CompletionItem keyword(Guests.Language language) {
+        CompletionItem item = keyword(language.keyword());
+        item.setDetail(
+                language.words().getOrDefault(language.keyword(), "guest " + language.guest()));
+        return item;
+    }
+
+    private static CompletionItem item(Suggestion suggestion) {
+        CompletionItem item = keyword(suggestion.text());
+        item.setDetail(suggestion.what());
+        return item;
     }
 
     private static CompletionItem item(Proposal name) {

@@ -26,7 +26,8 @@ record KnownNames(WritingPlace place) {
         String outer = rules.size() < 2 ? "" : rules.get(1);
         return switch (inner) {
             case "automatonElement" -> states();
-            case "item", "statement" -> new KnownValues(place).targets();
+            case "item" -> new KnownValues(place).targets(place.says("/"));
+            case "statement" -> new KnownValues(place).targets(true);
             case "primary", "suffix" -> new KnownValues(place).values();
             case "tableInputs" -> ports(PortSymbol::isInput);
             case "tableOutputs" -> ports(PortSymbol::isOutput);

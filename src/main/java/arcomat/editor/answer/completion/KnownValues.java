@@ -24,9 +24,12 @@ import java.util.stream.Stream;
 record KnownValues(WritingPlace place) {
     private static final Set<String> COMPARISONS = Set.of("==", "!=", "=", "<", "<=", ">", ">=");
 
-    /** What an item of a block can be about: inputs are read, outputs written. */
-    List<Proposal> targets() {
-        boolean writes = place.says("/");
+    /**
+     * What an item of a block can be about.
+     *
+     * @param writes whether outputs are written there, or inputs read
+     */
+    List<Proposal> targets(boolean writes) {
         return all().filter(
                         value -> !(value instanceof PortSymbol port) || port.isOutput() == writes)
                 .map(value -> Proposal.of(value))

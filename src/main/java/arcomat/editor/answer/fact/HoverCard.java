@@ -1,8 +1,10 @@
 package arcomat.editor.answer.fact;
 
 import arcomat.editor.desk.View;
+import arcomat.editor.foreign.GuestText;
 import arcomat.editor.name.Mentions;
 import arcomat.editor.text.Positions;
+import arcomat.source.Span;
 import arcomat.symbols.occurrences.Occurrence;
 import arcomat.symbols.occurrences.Referent;
 
@@ -17,13 +19,33 @@ import java.util.stream.Collectors;
 
 /**
  * What is shown beside a name: how it is declared, the comment in front of that, and what else is
- * known of it.
+ * known of it; beside a word of a guest's language, what that says.
  */
 public final class HoverCard {
     private HoverCard() {}
 
     public static Optional<Hover> at(View view, Position position) {
-        return Mentions.at(view, view.offset(position)).map(each -> of(view, each));
+        int offset = view.offset(position);
+        return Mentions.at(view, offset)
+                .map(each -> of(view, each))
+                .or(() -> guestWord(view, offset));
+    }
+
+    /** What a guest says about a word of its language. */
+    private static Optional<Hover> guestWord(View view, int offset) {
+        for (GuestText text : GuestText.in(view)) {
+            for (Span word : text.words()) {
+                String said = text.language().words().get(word.text());
+                if (said != null && word.start() <= offset && offset <= word.end()) {
+                    String shown = Markdown.code(word.text()) + "\n\n" + Markdown.text(said);
+                    return Optional.of(
+                            new Hover(
+                                    new MarkupContent(MarkupKind.MARKDOWN, shown),
+                                    Positions.range(word)));
+                }
+            }
+        }
+        return Optional.empty();
     }
 
     private static Hover of(View view, Occurrence occurrence) {

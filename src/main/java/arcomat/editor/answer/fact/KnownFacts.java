@@ -139,6 +139,7 @@ record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<S
                                     ? "a variable of the component: its automaton writes it"
                                     : "a constant of the component";
                     case LOCAL -> "a name for a value among the statements of one step";
+                    case SUITE -> "a name for a value in this suite";
                 });
     }
 

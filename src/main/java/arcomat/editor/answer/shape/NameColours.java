@@ -1,6 +1,7 @@
 package arcomat.editor.answer.shape;
 
 import arcomat.editor.desk.View;
+import arcomat.editor.foreign.GuestText;
 import arcomat.editor.name.Mentions;
 import arcomat.editor.text.Positions;
 import arcomat.source.Span;
@@ -19,11 +20,14 @@ import org.eclipse.lsp4j.SemanticTokensLegend;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
  * What each name of a file is, for its colour. Words of the language have none of these: a grammar
- * for colours knows them, and the names among them that only look like keywords are these.
+ * for colours knows them, and the names among them that only look like keywords are these. Words of
+ * guests' languages are among them, since no grammar knows those.
  */
 public final class NameColours {
     private static final List<String> TYPES =
@@ -40,7 +44,8 @@ public final class NameColours {
                     SemanticTokenTypes.Parameter,
                     SemanticTokenTypes.Label,
                     SemanticTokenTypes.Function,
-                    SemanticTokenTypes.Method);
+                    SemanticTokenTypes.Method,
+                    SemanticTokenTypes.Keyword);
 
     private static final List<String> MODIFIERS =
             List.of(
@@ -54,21 +59,46 @@ public final class NameColours {
 
     private NameColours() {}
 
+    /**
+     * @param modifiers a bit for each
+     */
+    private record Coloured(Span place, String type, int modifiers) {}
+
     public static SemanticTokens of(View view) {
         List<Integer> data = new ArrayList<>();
-        Set<Span> fields = fields(view);
         Position last = new Position(0, 0);
-        for (Occurrence each : Mentions.in(view)) {
-            Position place = Positions.position(view.file(), each.span().start());
+        for (Coloured each : all(view)) {
+            Position place = Positions.position(view.file(), each.place().start());
             int lines = place.getLine() - last.getLine();
             data.add(lines);
             data.add(place.getCharacter() - (lines == 0 ? last.getCharacter() : 0));
-            data.add(each.span().end() - each.span().start());
-            data.add(TYPES.indexOf(type(each.referent())));
-            data.add(modifiers(view, each, fields));
+            data.add(each.place().end() - each.place().start());
+            data.add(TYPES.indexOf(each.type()));
+            data.add(each.modifiers());
             last = place;
         }
         return new SemanticTokens(data);
+    }
+
+    /** In the order of the text; what a guest's word names is a name. */
+    private static Iterable<Coloured> all(View view) {
+        SortedMap<Integer, Coloured> all = new TreeMap<>();
+        Set<Span> fields = fields(view);
+        for (Occurrence each : Mentions.in(view)) {
+            String type = type(each.referent());
+            all.put(
+                    each.span().start(),
+                    new Coloured(each.span(), type, modifiers(view, each, fields)));
+        }
+        List<Span> names = all.values().stream().map(Coloured::place).toList();
+        for (GuestText text : GuestText.in(view)) {
+            for (Span word : text.words()) {
+                if (names.stream().noneMatch(name -> name.isAround(word))) {
+                    all.put(word.start(), new Coloured(word, SemanticTokenTypes.Keyword, 0));
+                }
+            }
+        }
+        return all.values();
     }
 
     private static String type(Referent referent) {

@@ -1,0 +1,172 @@
+package montiarc7;
+
+import montiarc7.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.MontiArc7Parser.CallExpressionContext;
+import montiarc7.MontiArc7Parser.CastExpressionContext;
+import montiarc7.MontiArc7Parser.ChoiceExpressionContext;
+import montiarc7.MontiArc7Parser.ExpressionContext;
+import montiarc7.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.MontiArc7Parser.NameExpressionContext;
+import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Expressions in Arcomat's words, and which input ports they read. */
+class ExpressionWriter {
+    private static final Map<String, String> LIMITS =
+            Map.of(
+                    "Integer.MAX_VALUE", "2147483647",
+                    "Integer.MIN_VALUE", "(-2147483647 - 1)",
+                    "Long.MAX_VALUE", "9223372036854775807L",
+                    "Long.MIN_VALUE", "(-9223372036854775807L - 1L)");
+
+    private final Scope scope;
+
+    ExpressionWriter(Scope scope) {
+        this.scope = scope;
+    }
+
+    String write(ExpressionContext expression) {
+        if (expression instanceof LiteralExpressionContext literal) {
+            return literal.getText().equals("null") ? "--" : literal.getText();
+        } else if (expression instanceof NameExpressionContext name) {
+            return port(name.getText());
+        } else if (expression instanceof BracketExpressionContext bracket) {
+            return "(" + write(bracket.expression()) + ")";
+        } else if (expression instanceof PrefixExpressionContext prefix
+                && !prefix.op.getText().equals("~")) {
+            return prefix.op.getText() + write(prefix.expression());
+        } else if (expression instanceof BinaryExpressionContext binary) {
+            return write(binary.expression(0))
+                    + " "
+                    + binary.op.getText()
+                    + " "
+                    + write(binary.expression(1));
+        } else if (expression instanceof ChoiceExpressionContext choice) {
+            return write(choice.expression(0))
+                    + " ? "
+                    + write(choice.expression(1))
+                    + " : "
+                    + write(choice.expression(2));
+        } else if (expression instanceof CastExpressionContext cast) {
+            return "(" + cast.type().getText() + ") " + write(cast.expression());
+        } else if (expression instanceof MemberExpressionContext member) {
+            return member(member);
+        } else if (expression instanceof CallExpressionContext call && isEquals(call)) {
+            String left = write(((MemberExpressionContext) call.expression(0)).expression());
+            return "(" + left + " == " + write(call.expression(1)) + ")";
+        }
+        return expression instanceof CallExpressionContext call ? call(call) : unknown(expression);
+    }
+
+    /** Java's functions that a choice can say. */
+    private String call(CallExpressionContext call) {
+        List<String> arguments = call.expression().stream().skip(1).map(this::bracketed).toList();
+        String function = call.expression(0).getText() + "/" + arguments.size();
+        if (!scope.lacks().hasWholeNumbersOnly()) {
+            return unknown(call); // NaN and -0.0 are no matter of a choice
+        }
+        return switch (function) {
+            case "Math.abs/1" -> choice(arguments.get(0), "<", "0", "-" + arguments.get(0));
+            case "Math.min/2" -> choice(arguments.get(0), "<=", arguments.get(1), arguments.get(0));
+            case "Math.max/2" -> choice(arguments.get(0), ">=", arguments.get(1), arguments.get(0));
+            default -> unknown(call);
+        };
+    }
+
+    private String bracketed(ExpressionContext expression) {
+        String text = write(expression);
+        return text.matches("\\w+") ? text : "(" + text + ")";
+    }
+
+    /** What is compared last is the other way. */
+    private static String choice(String left, String operator, String right, String then) {
+        String other = right.equals("0") ? left : right;
+        return "(%s %s %s ? %s : %s)".formatted(left, operator, right, then, other);
+    }
+
+    /** How a name is written. */
+    String port(String name) {
+        return name;
+    }
+
+    private static boolean isEquals(CallExpressionContext call) {
+        return call.expression().size() == 2
+                && call.expression(0) instanceof MemberExpressionContext member
+                && member.name().getText().equals("equals");
+    }
+
+    boolean isConstant(MemberExpressionContext member) {
+        return scope.types().refersToEnum(member.expression().getText());
+    }
+
+    /** A constant of an enum, with the type that it has. */
+    String member(MemberExpressionContext member) {
+        String limit = LIMITS.get(member.getText());
+        if (limit != null) {
+            return limit;
+        }
+        String owner = member.expression().getText();
+        if (scope.types().refersToEnum(owner)) {
+            return owner.substring(owner.lastIndexOf('.') + 1) + "." + member.name().getText();
+        }
+        return owner.equals("this") ? member.name().getText() : unknown(member);
+    }
+
+    final String unknown(ExpressionContext expression) {
+        scope.lacks()
+                .missing(
+                        Lack.EXPRESSION,
+                        expression,
+                        "'%s' cannot be said in Arcomat, whose expressions are numbers, truth values and constants; leave what it does to a port"
+                                .formatted(expression.getText()));
+        return "0";
+    }
+
+    /** The input ports that have to carry a message for the expression to have a value. */
+    Set<String> reads(ExpressionContext expression) {
+        Set<String> names = new HashSet<>();
+        collect(expression, names);
+        return names;
+    }
+
+    private void collect(ExpressionContext expression, Set<String> names) {
+        if (expression instanceof NameExpressionContext name) {
+            if (scope.inputs().contains(name.getText())) {
+                names.add(name.getText());
+            }
+        } else if (silence(expression) == null) {
+            for (var child : expression.children) {
+                if (child instanceof ExpressionContext inner) {
+                    collect(inner, names);
+                }
+            }
+        }
+    }
+
+    /** No message, or an empty list of them. */
+    static boolean isNothing(ExpressionContext expression) {
+        return expression.getText().equals("null") || expression.getText().equals("[]");
+    }
+
+    /**
+     * The port that a comparison asks for silence, or for a message; null where it asks neither.
+     */
+    static String silence(ExpressionContext expression) {
+        if (expression instanceof BinaryExpressionContext binary
+                && binary.op.getText().matches("[!=]=")) {
+            if (isNothing(binary.expression(1))) {
+                return binary.expression(0).getText();
+            }
+            if (isNothing(binary.expression(0))) {
+                return binary.expression(1).getText();
+            }
+        }
+        return null;
+    }
+}

@@ -1,0 +1,147 @@
+package montiarc7;
+
+import montiarc7.MontiArc7Parser.ActionElementContext;
+import montiarc7.MontiArc7Parser.BeginningContext;
+import montiarc7.MontiArc7Parser.BlockContext;
+import montiarc7.MontiArc7Parser.MachineElementContext;
+import montiarc7.MontiArc7Parser.StateElementContext;
+import montiarc7.MontiArc7Parser.TransitionElementContext;
+
+import org.antlr.v4.runtime.ParserRuleContext;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The states of an automaton, those within others too, and its transitions in the order of the
+ * text.
+ */
+final class Machine {
+    /** A state, with what is done when it is entered, left, and meanwhile. */
+    static final class State {
+        final StateElementContext place;
+        final Optional<State> around;
+        final List<State> inner = new ArrayList<>();
+        final Map<String, ParserRuleContext> actions = new LinkedHashMap<>();
+        String name;
+
+        State(StateElementContext place, Optional<State> around) {
+            this.place = place;
+            this.around = around;
+            this.name = place.name().getText();
+        }
+
+        boolean isInitial() {
+            return !place.beginning().isEmpty();
+        }
+
+        Optional<BlockContext> beginning() {
+            return place.beginning().stream()
+                    .map(BeginningContext::block)
+                    .filter(each -> each != null)
+                    .findFirst();
+        }
+
+        /** The state in it with which it begins, if it says so. */
+        Optional<State> first() {
+            return inner.stream().filter(State::isInitial).findFirst();
+        }
+
+        /** This state and those around it, from the inside out. */
+        List<State> outwards() {
+            List<State> all = new ArrayList<>();
+            Optional<State> at = Optional.of(this);
+            while (at.isPresent()) {
+                all.add(at.get());
+                at = at.get().around;
+            }
+            return all;
+        }
+    }
+
+    private final List<State> states = new ArrayList<>();
+    private final List<TransitionElementContext> transitions = new ArrayList<>();
+    private final Lacks lacks;
+
+    Machine(List<MachineElementContext> elements, Lacks lacks) {
+        this.lacks = lacks;
+        add(elements, Optional.empty());
+        for (State each : states) {
+            if (states.stream().filter(other -> other.name.equals(each.name)).count() > 1) {
+                lacks.missing(
+                        Lack.STRUCTURE,
+                        each.place,
+                        "several states are called '%s'; give each a name of its own"
+                                .formatted(each.name));
+            }
+        }
+    }
+
+    private void add(List<MachineElementContext> elements, Optional<State> around) {
+        for (MachineElementContext each : elements) {
+            if (each instanceof StateElementContext state) {
+                State added = new State(state, around);
+                states.add(added);
+                around.ifPresent(outer -> outer.inner.add(added));
+                add(state.machineElement(), Optional.of(added));
+            } else if (each instanceof TransitionElementContext transition) {
+                transitions.add(transition);
+            } else if (each instanceof ActionElementContext action && around.isPresent()) {
+                around.get().actions.put(action.kind.getText(), action.statement());
+            }
+        }
+    }
+
+    /** States in which it may be between two steps. */
+    List<State> resting() {
+        return states.stream().filter(each -> each.first().isEmpty()).toList();
+    }
+
+    Optional<State> initial() {
+        return states.stream()
+                .filter(each -> each.around.isEmpty() && each.isInitial())
+                .findFirst();
+    }
+
+    List<TransitionElementContext> transitions() {
+        return transitions;
+    }
+
+    /** Those that begin in a state itself. */
+    List<TransitionElementContext> from(State state) {
+        return transitions.stream()
+                .filter(each -> simple(each.qname(0).getText()).equals(state.name))
+                .toList();
+    }
+
+    Optional<State> target(TransitionElementContext transition) {
+        Optional<State> found = state(transition.qname(1).getText());
+        if (found.isEmpty() || state(transition.qname(0).getText()).isEmpty()) {
+            lacks.missing(
+                    Lack.STRUCTURE, transition, "a state that this transition names is not there");
+        }
+        return found;
+    }
+
+    private Optional<State> state(String name) {
+        return states.stream().filter(each -> each.name.equals(simple(name))).findFirst();
+    }
+
+    private static String simple(String name) {
+        return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /** What is entered with a state, itself first, down to where it begins. */
+    static List<State> beginning(State state) {
+        List<State> all = new ArrayList<>();
+        Optional<State> at = Optional.of(state);
+        while (at.isPresent()) {
+            all.add(at.get());
+            at = at.get().first();
+        }
+        return all;
+    }
+}

@@ -1,0 +1,96 @@
+package montiarc7;
+
+import montiarc7.MontiArc7Parser.AutomatonElementContext;
+import montiarc7.MontiArc7Parser.ComponentContext;
+import montiarc7.MontiArc7Parser.ComputeElementContext;
+import montiarc7.MontiArc7Parser.ElementContext;
+import montiarc7.MontiArc7Parser.MarkContext;
+import montiarc7.MontiArc7Parser.PortDeclarationContext;
+import montiarc7.MontiArc7Parser.PortsElementContext;
+import montiarc7.MontiArc7Parser.TimingElementContext;
+import montiarc7.MontiArc7Parser.TransitionElementContext;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** What a component says of time, at its ports and its behaviour. */
+final class Timing {
+    private final Set<String> words = new HashSet<>();
+    private final Set<String> delayed = new HashSet<>();
+    private boolean allDelayed;
+    private boolean ticks;
+    private boolean events;
+    private boolean behaves;
+
+    Timing(ComponentContext component, Lacks lacks) {
+        for (ElementContext element : component.element()) {
+            add(element, lacks);
+        }
+        boolean synchronous = words.contains("sync") || words.contains("instant");
+        if (events && (ticks || synchronous)) {
+            lacks.missing(
+                    Lack.TICKS_AND_EVENTS,
+                    component.name(0),
+                    "'%s' reacts to messages and to ticks; a component of Arcomat works by slices or by events"
+                            .formatted(component.name(0).getText()));
+        }
+    }
+
+    private void add(ElementContext element, Lacks lacks) {
+        if (element instanceof PortsElementContext ports) {
+            ports.portDeclaration().forEach(this::add);
+        } else if (element instanceof TimingElementContext timing) {
+            words.add(timing.name().getText());
+        } else if (element instanceof ComputeElementContext compute) {
+            marks(compute.mark());
+            behaves = true;
+        } else if (element instanceof AutomatonElementContext automaton) {
+            marks(automaton.mark());
+            behaves = true;
+            Machine machine = new Machine(automaton.machineElement(), lacks.unheard());
+            for (TransitionElementContext each : machine.transitions()) {
+                boolean isEvent = MachineWriter.trigger(each).isPresent();
+                events |= isEvent;
+                ticks |= !isEvent;
+            }
+        }
+    }
+
+    private void add(PortDeclarationContext ports) {
+        List<String> said = new ArrayList<>();
+        ports.mark().forEach(each -> said.addAll(words(each)));
+        if (said.contains("delayed") && ports.direction.getText().equals("out")) {
+            ports.name().forEach(each -> delayed.add(each.getText()));
+        }
+        words.addAll(said);
+    }
+
+    private void marks(List<MarkContext> marks) {
+        for (MarkContext each : marks) {
+            allDelayed |= words(each).contains("delayed");
+            words.addAll(words(each));
+        }
+    }
+
+    private static List<String> words(MarkContext mark) {
+        return mark.stereo() == null
+                ? List.of(mark.getText())
+                : mark.stereo().stereoValue().stream().map(each -> each.name().getText()).toList();
+    }
+
+    /** Whether steps are events; slices else. */
+    boolean isByEvents() {
+        return events || words.contains("untimed") && !ticks;
+    }
+
+    /** Whether it says what it does, and so has to say when. */
+    boolean behaves() {
+        return behaves;
+    }
+
+    boolean isDelayed(String port) {
+        return allDelayed || delayed.contains(port);
+    }
+}

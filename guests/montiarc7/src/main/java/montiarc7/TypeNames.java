@@ -1,0 +1,187 @@
+package montiarc7;
+
+import montiarc7.MontiArc7Parser.ComponentContext;
+import montiarc7.MontiArc7Parser.ImportingContext;
+import montiarc7.MontiArc7Parser.TypeContext;
+import montiarc7.MontiArc7Parser.UnitContext;
+
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/** What the names of types in one file mean, and what the converted file has to import. */
+final class TypeNames {
+    /** Java's boxed and simple types are one here. */
+    private static final Map<String, String> OWN =
+            Map.ofEntries(
+                    Map.entry("int", "Integer"),
+                    Map.entry("Integer", "Integer"),
+                    Map.entry("boolean", "Boolean"),
+                    Map.entry("Boolean", "Boolean"),
+                    Map.entry("long", "Long"),
+                    Map.entry("Long", "Long"),
+                    Map.entry("double", "Double"),
+                    Map.entry("Double", "Double"),
+                    Map.entry("float", "float"),
+                    Map.entry("Float", "float"),
+                    Map.entry("byte", "byte"),
+                    Map.entry("Byte", "byte"),
+                    Map.entry("short", "short"),
+                    Map.entry("Short", "short"),
+                    Map.entry("char", "char"),
+                    Map.entry("Character", "char"),
+                    Map.entry("String", "String"));
+
+    private final UnitContext unit;
+    private final String packageName;
+    private final Folder folder;
+    private final Lacks lacks;
+    private final Set<String> parameters = new HashSet<>();
+    private final Set<String> inner = new HashSet<>();
+    private final Set<String> noted = new HashSet<>();
+    private final Set<String> imports = new TreeSet<>();
+
+    TypeNames(UnitContext unit, Folder folder, Lacks lacks) {
+        this.unit = unit;
+        this.packageName = packageOf(unit);
+        this.folder = folder;
+        this.lacks = lacks;
+        unit.importing().forEach(this::keep);
+    }
+
+    static String packageOf(UnitContext unit) {
+        return unit.qname() == null ? "" : unit.qname().getText();
+    }
+
+    /** Of components; types are imported where they are used. */
+    private void keep(ImportingContext each) {
+        String name = each.qname().getText();
+        if (isStar(each) ? folder.hasPackage(name) : folder.hasComponent(name)) {
+            imports.add(isStar(each) ? name + ".*" : name);
+        }
+    }
+
+    private static boolean isStar(ImportingContext each) {
+        return each.getText().endsWith(".*;");
+    }
+
+    /** The names that a component brings for all that is in it. */
+    void enter(ComponentContext component) {
+        if (component.typeParameters() != null) {
+            component
+                    .typeParameters()
+                    .typeParameter()
+                    .forEach(each -> parameters.add(each.name().getText()));
+        }
+        component.element().stream()
+                .filter(MontiArc7Parser.InnerElementContext.class::isInstance)
+                .map(MontiArc7Parser.InnerElementContext.class::cast)
+                .forEach(each -> inner.add(each.component().name(0).getText()));
+    }
+
+    Set<String> imports() {
+        return imports;
+    }
+
+    /** A type of messages. */
+    String message(TypeContext type) {
+        if (type.getText().endsWith("]")) {
+            lacks.missing(
+                    Lack.STRUCTURE,
+                    type,
+                    "arrays are not converted; use a port or a field for each element");
+        }
+        String name = type.qname().getText();
+        String plain = name.substring(name.lastIndexOf('.') + 1);
+        String own = name.equals(plain) || name.startsWith("java.lang.") ? OWN.get(plain) : null;
+        if (own != null) {
+            return own;
+        }
+        if (parameters.contains(name)) {
+            return name;
+        }
+        Optional<String> known = diagram(name);
+        if (known.isPresent()) {
+            imports.add(known.get() + "." + plain);
+            return plain;
+        }
+        return opaque(type, plain);
+    }
+
+    private String opaque(TypeContext type, String plain) {
+        String name = plain;
+        if (type.typeArguments() != null) {
+            name +=
+                    "Of"
+                            + type.typeArguments().type().stream()
+                                    .map(each -> each.qname().getText())
+                                    .map(each -> each.substring(each.lastIndexOf('.') + 1))
+                                    .collect(Collectors.joining("And"));
+        }
+        if (noted.add(name)) {
+            lacks.note(
+                    Lack.OPAQUE,
+                    type,
+                    "'%s' is defined in no class diagram here; its messages are passed on and compared, as those of '%s.%s'"
+                            .formatted(type.getText(), Folder.OPAQUE, name));
+        }
+        folder.addOpaque(name);
+        imports.add(Folder.OPAQUE + "." + name);
+        return name;
+    }
+
+    /** A type of messages by its full name, which nothing has to import. */
+    String full(TypeContext type) {
+        String name = message(type);
+        return imports.stream().filter(each -> each.endsWith("." + name)).findFirst().orElse(name);
+    }
+
+    /** Whether a name stands for a type of a class diagram, which is imported then. */
+    boolean refersToEnum(String name) {
+        Optional<String> known = diagram(name);
+        String plain = name.substring(name.lastIndexOf('.') + 1);
+        known.ifPresent(each -> imports.add(each + "." + plain));
+        return known.isPresent();
+    }
+
+    private Optional<String> diagram(String name) {
+        String plain = name.substring(name.lastIndexOf('.') + 1);
+        String qualifier = Folder.packageOf(name);
+        if (!qualifier.isEmpty()) {
+            return folder.diagram(qualifier, plain)
+                    .or(() -> folder.diagram(Folder.qualified(packageName, qualifier), plain))
+                    .or(() -> folder.diagramIn(qualifier, plain));
+        }
+        for (ImportingContext each : unit.importing()) {
+            String full = each.qname().getText();
+            if (isStar(each) || full.endsWith("." + plain)) {
+                String from = isStar(each) ? full : Folder.packageOf(full);
+                Optional<String> found =
+                        folder.diagram(from, plain)
+                                .or(
+                                        () ->
+                                                folder.diagram(
+                                                        Folder.qualified(packageName, from), plain))
+                                .or(() -> folder.diagramIn(from, plain));
+                if (found.isPresent()) {
+                    return found;
+                }
+            }
+        }
+        return folder.diagramIn(packageName, plain);
+    }
+
+    /** A type of parts, or of what is extended. */
+    String component(TypeContext type) {
+        String text = type.qname().getText();
+        if (type.typeArguments() == null) {
+            return text;
+        }
+        return type.typeArguments().type().stream()
+                .map(this::message)
+                .collect(Collectors.joining(", ", text + "<", ">"));
+    }
+}

@@ -1,0 +1,6 @@
+package mill;
+
+component Ends<T> {
+    port in T input;
+    port out T output;
+}

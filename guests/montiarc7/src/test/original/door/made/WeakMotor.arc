@@ -1,0 +1,16 @@
+package door.made;
+
+/** A door with a motor. */
+component WeakMotor {
+  port <<sync>> in int power, <<sync>> out int answer, <<sync>> out boolean stuck;
+
+  automaton {
+    initial state Down;
+    state Up;
+
+    Down -> Up [power > 0] / { answer = power; };
+    Up -> Down [power < 0] / { answer = 0; };
+    Down -> Down [power < 0] / { stuck = true; };
+    Up -> Up [power > 5] / { stuck = true; };
+  }
+}

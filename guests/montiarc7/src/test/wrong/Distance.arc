@@ -1,0 +1,5 @@
+component Distance {
+  port sync in double a, sync out double b;
+
+  compute { b = Math.abs(a); }
+}

@@ -1,0 +1,7 @@
+component Loop {
+  port sync in int a, sync out int b;
+
+  compute {
+    for (int i = 0; i < a; i++) { b = i; }
+  }
+}

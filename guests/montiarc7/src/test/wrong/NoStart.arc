@@ -1,0 +1,3 @@
+component NoStart {
+  automaton { state S; }
+}

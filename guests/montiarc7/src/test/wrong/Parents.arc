@@ -1,0 +1,1 @@
+component Parents extends Call, Loop { }

@@ -1,0 +1,9 @@
+component States {
+  port sync in int a;
+
+  automaton {
+    initial state S { state T; }
+    state T;
+    T -> U;
+  }
+}

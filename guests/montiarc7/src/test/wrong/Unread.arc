@@ -1,0 +1,3 @@
+component Unread {
+  port in int;
+}

@@ -1,0 +1,2 @@
+/* Another. */
+component Start { }

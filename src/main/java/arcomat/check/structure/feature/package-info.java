@@ -1,0 +1,2 @@
+/** Features of components, and who chooses them. */
+package arcomat.check.structure.feature;

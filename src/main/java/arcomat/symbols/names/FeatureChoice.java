@@ -1,0 +1,55 @@
+package arcomat.symbols.names;
+
+import arcomat.tree.Argument;
+import arcomat.tree.Expression;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * Which features of a component are chosen.
+ *
+ * @param choices by the names of the features, in their order
+ */
+public record FeatureChoice(Map<String, Boolean> choices) {
+    /** Of what has no features. */
+    public static final FeatureChoice NONE = new FeatureChoice(Map.of());
+
+    public FeatureChoice {
+        choices = Collections.unmodifiableMap(new LinkedHashMap<>(choices));
+    }
+
+    /** What arguments choose, for components around with a configuration of their own. */
+    public static FeatureChoice chosen(
+            List<String> features, List<Argument> arguments, FeatureChoice around) {
+        Map<String, Boolean> choices = new LinkedHashMap<>();
+        for (String feature : features) {
+            arguments.stream()
+                    .filter(each -> isFor(feature, each))
+                    .findFirst()
+                    .flatMap(each -> around.holds(each.value()))
+                    .ifPresent(choice -> choices.put(feature, choice));
+        }
+        return new FeatureChoice(choices);
+    }
+
+    private static boolean isFor(String feature, Argument argument) {
+        return argument.name().filter(name -> name.text().equals(feature)).isPresent();
+    }
+
+    /** Whether a condition is true; empty where it speaks of more than features and truth. */
+    public Optional<Boolean> holds(Expression condition) {
+        return condition.match(new FeatureCondition(choices));
+    }
+
+    /** {@code (f = true, g = false)}, as arguments are written. */
+    public String text() {
+        return choices.entrySet().stream()
+                .map(each -> each.getKey() + " = " + each.getValue())
+                .collect(Collectors.joining(", ", "(", ")"));
+    }
+}
