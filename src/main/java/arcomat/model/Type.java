@@ -149,10 +149,11 @@ public sealed interface Type {
             return true;
         }
 
+        /** As objects compare: what is no number is a value of both types. */
         @Override
         public boolean has(Value value) {
             return value instanceof Value.RealValue number
-                    && (!single || (float) number.value() == number.value());
+                    && (!single || Double.compare((float) number.value(), number.value()) == 0);
         }
     }
 

@@ -115,7 +115,11 @@ final class WhyNothingFired implements Law {
             }
             StepRelation without = without(relation, refusal, i);
             boolean enabled = enabled(without, before, input).contains(refusal.index());
-            if (enabled != (failed.size() == 1) || clause.because().isEmpty()) {
+            // Without one effect the transition is tried without all of them.
+            boolean alone =
+                    failed.size() == 1
+                            || clause.effect() && failed.stream().allMatch(Refusal.Clause::effect);
+            if (enabled != alone || clause.because().isEmpty()) {
                 return Optional.of(refusal.words() + ", but without " + clause + ": " + enabled);
             }
         }
