@@ -150,7 +150,7 @@ public final class AutomatonGraph {
         Map<List<Object>, List<Integer>> same = new LinkedHashMap<>();
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition each = automaton.transitions().get(i);
-            List<Graph.Line> label = TransitionText.label(each);
+            String label = TransitionText.full(each); // what is shown may be cut
             if (each.source() != each.target() && !label.isEmpty()) {
                 List<Highlights.Highlight> found =
                         highlights.transitions().getOrDefault(i, List.of());

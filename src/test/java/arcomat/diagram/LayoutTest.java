@@ -7,6 +7,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.models.ModelFiles;
+import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
 
@@ -61,6 +62,35 @@ class LayoutTest {
             assertThat(Overlaps.in(svg)).as(graph.title()).isEmpty();
             assertThat(svg(graph)).isEqualTo(svg);
         }
+    }
+
+    /** What is cut is compared in full: they only look the same. */
+    @Test
+    void transitionsThatOnlyLookTheSameShareNoLabel() {
+        String sum = "n * 1000001 + n * 1000003 + n * 1000007 + n * 1000009 + n * 1000021 + n * 3";
+        String model =
+                """
+                component Counter {
+                    port in Integer n;
+                    automaton {
+                        state a, b, c;
+                        initial a;
+                        a -> c [%s > 1];
+                        b -> c [%s > %d];
+                    }
+                }
+                """;
+        assertThat(svg(automaton(model.formatted(sum, sum, 1))))
+                .contains("data-transition=\"0 1\"");
+        assertThat(svg(automaton(model.formatted(sum, sum, 2))))
+                .contains("data-transition=\"0\"", "data-transition=\"1\"");
+    }
+
+    private static Graph automaton(String text) {
+        SourceFile file = new SourceFile("Counter.arc", text);
+        Workspace workspace =
+                Workspace.of(List.of(Parser.parse(file).unit().orElseThrow()), Set.of());
+        return graphs(Lowering.lower(workspace)).get(1);
     }
 
     @Property(tries = 150)

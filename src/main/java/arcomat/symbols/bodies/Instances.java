@@ -106,7 +106,12 @@ final class Instances {
                 .resolveComponent(node.type().name())
                 .found()
                 .map(part -> part.declaration().withoutFeatures(node.arguments()))
-                .orElse(node.arguments());
+                .orElseGet(
+                        () ->
+                                owner.signature()
+                                        .declaration()
+                                        .configuration()
+                                        .withoutChoices(node.arguments()));
     }
 
     private static InstanceSymbol named(

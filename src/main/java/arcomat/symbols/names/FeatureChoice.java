@@ -46,6 +46,16 @@ public record FeatureChoice(Map<String, Boolean> choices) {
         return condition.match(new FeatureCondition(choices));
     }
 
+    /**
+     * Arguments for a component that is not known: those by name that speak of these features may
+     * choose some of its own, and are left out.
+     */
+    public List<Argument> withoutChoices(List<Argument> arguments) {
+        return arguments.stream()
+                .filter(each -> each.name().isEmpty() || holds(each.value()).isEmpty())
+                .toList();
+    }
+
     /** {@code (f = true, g = false)}, as arguments are written. */
     public String text() {
         return choices.entrySet().stream()

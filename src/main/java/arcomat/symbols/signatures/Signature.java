@@ -196,7 +196,9 @@ public final class Signature {
                 above.map(ComponentReference::substitution).orElse(TypeSubstitution.NONE);
         List<Argument> written = node().superArguments().get();
         return GivenArgument.of(
-                superNamed().map(each -> each.withoutFeatures(written)).orElse(written),
+                superNamed()
+                        .map(each -> each.withoutFeatures(written))
+                        .orElseGet(() -> declaration.configuration().withoutChoices(written)),
                 above.flatMap(ComponentReference::component)
                         .map(Signature::parameters)
                         .orElse(List.of()),

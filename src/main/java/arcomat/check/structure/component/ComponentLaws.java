@@ -22,7 +22,7 @@ public final class ComponentLaws {
                     executableError("ARC0125", new BehaviourPresent()).needing(ALL),
                     error("ARC0130", new ClauseUnique()),
                     error("ARC0128", new ComponentVariableConstant()).needing(ALL),
-                    error("ARC0143", new ComputationAlone()),
+                    error("ARC0143", new ComputationAlone()).needing(ALL),
                     error("ARC0119", new DefaultParametersLast()),
                     error("ARC0140", new FieldOfOneAutomaton()),
                     error("ARC0141", new FieldReadEarly()),

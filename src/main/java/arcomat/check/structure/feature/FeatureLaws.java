@@ -1,5 +1,6 @@
 package arcomat.check.structure.feature;
 
+import static arcomat.check.law.Law.Needs.ALL;
 import static arcomat.check.law.Law.Needs.NAMES;
 import static arcomat.check.law.Law.error;
 
@@ -13,7 +14,7 @@ public final class FeatureLaws {
             List.of(
                     error("ARC0151", new ConstraintsAllowSomething()),
                     error("ARC0152", new FeaturesChosen()).needing(NAMES),
-                    error("ARC0150", new FeaturesWellFormed()));
+                    error("ARC0150", new FeaturesWellFormed()).needing(ALL));
 
     private FeatureLaws() {}
 }
