@@ -51,9 +51,8 @@ class Paper {
     const ruler = this.lane("ruler", 27);
     ruler.append(...rulerShapes(view, this.story));
     const rows = [this.row(this.story.unit, ruler)];
-    for (const track of this.story.timeline.tracks) {
+    for (const { track, flaws } of this.story.timeline.rows) {
       const lane = this.lane("lane", LANE.height);
-      const flaws = this.story.flaws.filter((flaw) => flaw.track === track.name);
       drawLane(lane, track, view, this.story.colours, flaws);
       rows.push(this.row(track.name, lane));
     }

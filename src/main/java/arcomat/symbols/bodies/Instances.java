@@ -6,6 +6,7 @@ import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.signatures.ComponentReference;
+import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Argument;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
@@ -100,18 +101,11 @@ final class Instances {
         }
     }
 
-    /** Arguments for features have chosen the component. */
     private static List<Argument> forParameters(ComponentSymbol owner, Element.Subcomponent node) {
-        return owner.signature()
-                .resolveComponent(node.type().name())
-                .found()
-                .map(part -> part.declaration().withoutFeatures(node.arguments()))
-                .orElseGet(
-                        () ->
-                                owner.signature()
-                                        .declaration()
-                                        .configuration()
-                                        .withoutChoices(node.arguments()));
+        Signature whole = owner.signature();
+        return whole.forParameters(
+                whole.resolveComponent(node.type().name()).found().map(Signature::declaration),
+                node.arguments());
     }
 
     private static InstanceSymbol named(

@@ -196,14 +196,23 @@ public final class Signature {
                 above.map(ComponentReference::substitution).orElse(TypeSubstitution.NONE);
         List<Argument> written = node().superArguments().get();
         return GivenArgument.of(
-                superNamed()
-                        .map(each -> each.withoutFeatures(written))
-                        .orElseGet(() -> declaration.configuration().withoutChoices(written)),
+                forParameters(superNamed(), written),
                 above.flatMap(ComponentReference::component)
                         .map(Signature::parameters)
                         .orElse(List.of()),
                 types::apply,
                 ExpressionTyping.at(parameterScope()));
+    }
+
+    /**
+     * The arguments that are for parameters: those for features have chosen the component.
+     *
+     * @param named who they are for, seen from here; empty where that is not known
+     */
+    public List<Argument> forParameters(
+            Optional<ComponentDeclaration> named, List<Argument> written) {
+        return named.map(each -> each.withoutFeatures(written))
+                .orElseGet(() -> declaration.configuration().withoutChoices(written));
     }
 
     /** What it extends, before a configuration is chosen. */
