@@ -3,6 +3,7 @@ package arcomat.benchmarks;
 import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
+import arcomat.benchmarks.compositions.CompositionsGroup;
 import arcomat.benchmarks.editor.EditorGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.incremental.IncrementalGroup;
@@ -29,7 +30,8 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world, editor}.
+ * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world,editor,
+ * compositions}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -42,7 +44,8 @@ public final class Main {
                     new AnalysisGroup(),
                     new BuildGroup(),
                     new WorldGroup(),
-                    new EditorGroup());
+                    new EditorGroup(),
+                    new CompositionsGroup());
 
     private Main() {}
 

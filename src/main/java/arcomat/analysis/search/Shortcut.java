@@ -26,6 +26,18 @@ public enum Shortcut {
     /** Of the letters that a configuration does not tell apart, one is tried. */
     ALIKE,
 
+    /** A network is searched by tables of its parts' steps, where none of them leaves much open. */
+    PACKED,
+
+    /** Parts that nothing depends on which is compared, and messages that nobody reads. */
+    CONE,
+
+    /** Variables that nobody reads are in no configuration of a network. */
+    UNREAD_VARIABLES,
+
+    /** Of configurations that differ in the places of equal parts, one is looked at. */
+    EQUAL_PARTS,
+
     /** Compositions refine each other if their parts do. */
     PART_BY_PART,
 

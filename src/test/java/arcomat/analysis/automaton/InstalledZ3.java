@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** The solver Z3 of the machine that the tests run on, if it has one. */
-final class InstalledZ3 {
+public final class InstalledZ3 {
     private InstalledZ3() {}
 
-    static boolean isThere() {
+    public static boolean isThere() {
         try {
             Process process = new ProcessBuilder("z3", "--version").start();
             return process.waitFor(10, TimeUnit.SECONDS) && process.exitValue() == 0;
@@ -22,7 +22,7 @@ final class InstalledZ3 {
     }
 
     /** What it prints, line by line: {@code sat}, {@code unsat} or {@code unknown}. */
-    static List<String> answers(List<String> script) {
+    public static List<String> answers(List<String> script) {
         try {
             Process process =
                     new ProcessBuilder("z3", "-in", "-t:300").redirectErrorStream(true).start();

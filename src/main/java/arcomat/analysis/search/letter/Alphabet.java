@@ -1,5 +1,6 @@
 package arcomat.analysis.search.letter;
 
+import arcomat.analysis.smt.MessageExamples;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -8,6 +9,7 @@ import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * One letter of each kind that some classes together tell apart: few messages first, then in the
@@ -15,6 +17,7 @@ import java.util.List;
  */
 public final class Alphabet {
     private final List<Value[]> letters;
+    private final Optional<String> missing;
     private final int[] messages;
     private final long[][] kinds;
 
@@ -41,6 +44,19 @@ public final class Alphabet {
             List<LetterClasses> classes,
             List<int[]> positions,
             Representatives representatives) {
+        this(profile, inputs, classes, positions, representatives, Optional.empty());
+    }
+
+    /**
+     * @param examples of messages that are calculated with; empty where there are none to be had
+     */
+    public Alphabet(
+            Component.Profile profile,
+            List<Port> inputs,
+            List<LetterClasses> classes,
+            List<int[]> positions,
+            Representatives representatives,
+            Optional<MessageExamples.Source> examples) {
         PortAbstraction[] looks = new PortAbstraction[inputs.size()];
         Arrays.fill(looks, new InputAbstraction.Unseen());
         for (int c = 0; c < classes.size(); c++) {
@@ -50,7 +66,11 @@ public final class Alphabet {
                 looks[position] = looks[position].and(own.get(i));
             }
         }
-        letters = representatives.letters(profile, inputs, List.of(looks));
+        MessageExamples.Rows found =
+                new CalculatedPorts(inputs, List.of(looks), representatives)
+                        .letters(profile, examples);
+        letters = found.rows();
+        missing = found.missing();
         messages = letters.stream().mapToInt(Letters::messages).toArray();
         kinds = new long[classes.size()][letters.size()];
         for (int c = 0; c < classes.size(); c++) {
@@ -62,6 +82,13 @@ public final class Alphabet {
 
     public int size() {
         return messages.length;
+    }
+
+    /**
+     * Why there may be letters that are told apart from all of these; empty where there are none.
+     */
+    public Optional<String> missing() {
+        return missing;
     }
 
     /** Messages by position of the port, null for silence; not to be written to. */

@@ -7,6 +7,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Whole;
 import arcomat.semantics.value.MessageClasses;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.TooManyMessages;
@@ -17,6 +18,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
@@ -74,11 +76,27 @@ public final class LetterClasses {
     }
 
     private static boolean isTold(Port port, PortAbstraction look) {
-        return look instanceof InputAbstraction.Copied && SmallType.values(port.type()).isEmpty();
+        boolean each = look instanceof InputAbstraction.Copied || look instanceof Whole;
+        return each && SmallType.values(port.type()).isEmpty();
     }
 
     private static PortAbstraction told(Port port, PortAbstraction look) {
         return isTold(port, look) ? new InputAbstraction.Unseen() : look;
+    }
+
+    /**
+     * Whether messages are told apart one by one that are too many to try, and more is done with
+     * them than to compare them with each other.
+     *
+     * @param isFree whether of a port's data it only matters which are the same
+     */
+    public boolean calculates(IntPredicate isFree) {
+        for (int port : copied) {
+            if (!isFree.test(port) || abstraction.looks().get(port) instanceof Whole) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** LetterClassesPool of one side are numbered from 0. */
@@ -161,7 +179,7 @@ public final class LetterClasses {
             List<PortAbstraction> looks = new ArrayList<>();
             for (int port = 0; port < inputs.size(); port++) {
                 boolean few = SmallType.values(inputs.get(port).type()).isPresent();
-                looks.add(few ? new InputAbstraction.Whole() : abstraction.looks().get(port));
+                looks.add(few ? new Whole() : abstraction.looks().get(port));
             }
             return looks;
         }

@@ -28,6 +28,11 @@ import java.util.TreeSet;
 public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
     public static final Representatives NONE = new Representatives(new Sort[0], Map.of());
 
+    /** Whether it only matters which data of a port are the same. */
+    boolean isFree(int port) {
+        return port < sorts.length && sorts[port] != null;
+    }
+
     /** As {@link Letters#of}. */
     public List<Value[]> letters(
             Component.Profile profile, List<Port> inputs, List<PortAbstraction> looks) {

@@ -64,7 +64,7 @@ public final class CertificateCheck {
             budget.insist();
             verify(open.remove());
         }
-        return Optional.ofNullable(problem).or(product.left::leftOut);
+        return Optional.ofNullable(problem).or(product.left::leftOut).or(product::missing);
     }
 
     private void verify(Pair pair) {

@@ -14,6 +14,8 @@ import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.DataIndependence;
 import arcomat.analysis.search.system.TransitionSystem;
+import arcomat.analysis.smt.DataStep;
+import arcomat.analysis.smt.MessageExamples;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -24,7 +26,11 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The product of the left system with the subset construction of the right one: the letters that a
@@ -36,7 +42,7 @@ final class Product {
     final TransitionSystem right;
     final OutputCubes outputs;
     final List<Port> observed;
-    final MacroStates sets = new MacroStates();
+    final MacroStates sets;
 
     private static final int SINGLE = 1 << 30;
 
@@ -55,6 +61,9 @@ final class Product {
     private final StepTable leftSteps = new StepTable();
     private final StepTable rightSteps = new StepTable();
     private final List<LongObjectHashMap<Alphabet>> alphabets = new ArrayList<>();
+    private final Map<List<Object>, Alphabet> calculated = new HashMap<>();
+    private final LongObjectHashMap<Alphabet> calculatedOfPairs = new LongObjectHashMap<>();
+    private Optional<String> missing = Optional.empty();
     private final Numbering<IntKey> answerLists = new Numbering<>();
     private final LongObjectHashMap<List<CubeSplit.Case>> cases = new LongObjectHashMap<>();
 
@@ -67,6 +76,17 @@ final class Product {
             List<Port> observed,
             OutputCubes outputs,
             Budget budget) {
+        this(left, right, observed, outputs, budget, new MacroStates());
+    }
+
+    private Product(
+            TransitionSystem left,
+            TransitionSystem right,
+            List<Port> observed,
+            OutputCubes outputs,
+            Budget budget,
+            MacroStates sets) {
+        this.sets = sets;
         this.budget = budget;
         this.left = left;
         this.right = right;
@@ -83,6 +103,16 @@ final class Product {
                 right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
     }
 
+    /** With another left side, beside the same sets of the right one. */
+    Product with(TransitionSystem other) {
+        return new Product(other, right, observed, outputs, budget, sets);
+    }
+
+    /** Whether there are data of which it only matters which are the same. */
+    boolean hasFreeData() {
+        return data.any();
+    }
+
     /** Whether nothing can be forbidden any more: chaos allows all outputs, but no error. */
     boolean isSettled(int rightConfiguration) {
         return !mayErr && right.isChaos(rightConfiguration) && budget.takes(Shortcut.CHAOS);
@@ -97,27 +127,95 @@ final class Product {
         return own;
     }
 
+    /**
+     * Why some letters that are told apart have been left out: what was found is so, but there may
+     * be more. Empty where none was.
+     */
+    Optional<String> missing() {
+        return missing;
+    }
+
     /** The letters that a configuration and a set tell apart. */
     Alphabet alphabet(int configuration, int set) {
         LetterClasses own = left.letterClasses(configuration);
         int list = classList(set);
         int held = data.any() ? data.held(configuration, sets.members(set)) : 0;
+        boolean calculates =
+                own.calculates(data::isFree)
+                        || classLists.get(list).stream()
+                                .anyMatch(
+                                        one -> one.calculates(i -> data.isFree(rightPositions[i])));
+        return calculates
+                ? calculated(configuration, set, own, list, held)
+                : known(own, list, held);
+    }
+
+    private Alphabet known(LetterClasses own, int list, int held) {
         while (alphabets.size() <= held) {
             alphabets.add(new LongObjectHashMap<>(2));
         }
         long key = (long) own.number() << 32 | list;
         Alphabet known = alphabets.get(held).get(key);
         if (known == null) {
-            List<LetterClasses> all = new ArrayList<>(List.of(own));
-            all.addAll(classLists.get(list));
-            List<int[]> positions = new ArrayList<>(List.of(leftPositions));
-            classLists.get(list).forEach(each -> positions.add(rightPositions));
-            Representatives representatives =
-                    data.any() ? data.representatives(held) : Representatives.NONE;
-            known = new Alphabet(left.profile(), inputs, all, positions, representatives);
+            known = alphabet(own, list, held, Optional.empty());
             alphabets.get(held).put(key, known);
         }
         return known;
+    }
+
+    /**
+     * @param examples of messages that are calculated with; empty where there are none
+     */
+    private Alphabet alphabet(
+            LetterClasses own, int list, int held, Optional<MessageExamples.Source> examples) {
+        List<LetterClasses> all = new ArrayList<>(List.of(own));
+        all.addAll(classLists.get(list));
+        List<int[]> positions = new ArrayList<>(List.of(leftPositions));
+        classLists.get(list).forEach(each -> positions.add(rightPositions));
+        Representatives representatives =
+                data.any() ? data.representatives(held) : Representatives.NONE;
+        return new Alphabet(left.profile(), inputs, all, positions, representatives, examples);
+    }
+
+    /** Of messages that are calculated with, those that a configuration and a set tell apart. */
+    private Alphabet calculated(int configuration, int set, LetterClasses own, int list, int held) {
+        long pair = (long) configuration << 32 | set;
+        Alphabet known = calculatedOfPairs.get(pair);
+        if (known == null) {
+            Optional<List<DataStep>> steps = steps(configuration, set);
+            List<Object> key = List.of(own.number(), list, held, steps);
+            known =
+                    calculated.computeIfAbsent(
+                            key,
+                            each ->
+                                    alphabet(
+                                            own,
+                                            list,
+                                            held,
+                                            steps.map(
+                                                    all ->
+                                                            MessageExamples.of(
+                                                                    all, budget::isSpent))));
+            calculatedOfPairs.put(pair, known);
+            missing = missing.or(known::missing);
+        }
+        return known;
+    }
+
+    /** The steps of both sides, as far as they can be told as expressions. */
+    private Optional<List<DataStep>> steps(int configuration, int set) {
+        Optional<List<DataStep>> all = left.dataSteps(configuration);
+        for (int member : sets.members(set)) {
+            Optional<List<DataStep>> more = right.dataSteps(member);
+            all =
+                    all.flatMap(
+                            some ->
+                                    more.map(
+                                            others ->
+                                                    Stream.concat(some.stream(), others.stream())
+                                                            .toList()));
+        }
+        return all;
     }
 
     private int classList(int set) {

@@ -2,10 +2,12 @@ package arcomat.analysis.search.product;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
+import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -18,6 +20,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntFunction;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -33,6 +37,9 @@ public final class TraceInclusion {
     /** So many letters the question whether there is a simulation may take, whoever asks. */
     private static final long LITTLE_WORK = 300_000;
 
+    /** So many pairs are looked at where letters are left out, so that it cannot hold any more. */
+    private static final long SOME_PAIRS = 300;
+
     /** Beyond that, so many times as many as the search itself has tried. */
     private static final long FACTOR = 8;
 
@@ -42,6 +49,8 @@ public final class TraceInclusion {
     private final Antichain pairs;
     private boolean chaosReached;
     private boolean promising;
+    private @Nullable PackedInclusion packed;
+    private List<String> leftOut = List.of();
     private @Nullable Failure best;
     private final Map<Kind, Failure> failures = new LinkedHashMap<>();
     private boolean goesOn;
@@ -123,6 +132,121 @@ public final class TraceInclusion {
     }
 
     private Result levels() {
+        return packed().orElseGet(this::unpacked);
+    }
+
+    /** The same answer from packed configurations; empty where these cannot be had. */
+    private Optional<Result> packed() {
+        if (goesOn) {
+            return Optional.empty();
+        }
+        if (!PackedInclusion.isFor(product) || !budget.takes(Shortcut.PACKED)) {
+            return Optional.empty();
+        }
+        NetworkSystem whole = (NetworkSystem) product.left;
+        NetworkSystem.Smaller smaller = whole.smaller();
+        leftOut = smaller.network().leftOut();
+        Optional<Result> result =
+                packed(product.with(smaller.system()), whole, smaller.network()::image);
+        if (result.isEmpty()) {
+            leftOut = List.of();
+        }
+        return result.or(() -> packed(product, whole, state -> state));
+    }
+
+    /**
+     * @param image what a configuration of the whole is in the question that is asked instead
+     */
+    private Optional<Result> packed(
+            Product asked, NetworkSystem whole, UnaryOperator<GlobalState> image) {
+        Optional<PackedInclusion> search = PackedInclusion.of(asked, budget);
+        if (search.isEmpty()) {
+            return Optional.empty();
+        }
+        packed = search.get();
+        Optional<PackedInclusion.Found> found = packed.run();
+        if (found.isEmpty()) {
+            packed = null;
+            return Optional.empty();
+        }
+        chaosReached = found.get().chaosReached();
+        promising = found.get().promising();
+        if (!found.get().path().isEmpty()) {
+            retrace(found.get(), search.get(), state -> image.apply(whole.state(state)));
+        }
+        return Optional.of(result(found.get().stopped()));
+    }
+
+    /** Follows a failure as the unpacked search would have found it. */
+    private void retrace(
+            PackedInclusion.Found found, PackedInclusion search, IntFunction<GlobalState> image) {
+        int node = Antichain.NONE;
+        for (long[] pair : found.path()) {
+            node = retrace(node, (left, set) -> search.isAt(pair, image.apply(left), set));
+        }
+        level = found.path().size();
+        expand(node);
+        if (best == null || best.cost() != found.cost()) {
+            throw new AssertionError("packed configurations fail otherwise");
+        }
+    }
+
+    /** A pair that is known to follow, told by its left side and its set. */
+    private interface Followed {
+        boolean isAt(int left, int set);
+    }
+
+    /** The first of the cheapest steps to a pair that is known to follow. */
+    private int retrace(int node, Followed to) {
+        Cheapest cheapest = new Cheapest(to);
+        if (node == Antichain.NONE) {
+            cheapest.compare(product.left.openings(), product.right.openings(), 0);
+        } else {
+            Alphabet alphabet = product.alphabet(pairs.left(node), pairs.set(node));
+            Steps[] own = product.leftSteps(pairs.left(node), alphabet);
+            for (int letter = 0; letter < own.length; letter++) {
+                Steps theirs = product.answers(pairs.set(node), alphabet, letter);
+                int cost = pairs.cost(node) + alphabet.messages(letter);
+                cheapest.compare(own[letter], theirs, cost);
+            }
+        }
+        if (cheapest.set < 0) {
+            throw new AssertionError("packed configurations go on otherwise");
+        }
+        pairs.add(node, cheapest.left, cheapest.set, cheapest.cost, 0);
+        pairs.nextLevel();
+        return pairs.size() - 1;
+    }
+
+    /** Of some steps, the first that takes fewest messages. */
+    private final class Cheapest {
+        private final Followed to;
+        private int left;
+        private int set = -1;
+        private int cost = Integer.MAX_VALUE;
+
+        Cheapest(Followed to) {
+            this.to = to;
+        }
+
+        void compare(Steps mine, Steps theirs, int before) {
+            for (int step = 0; step < mine.size(); step++) {
+                for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
+                    int total = before + sent.messages();
+                    if (sent.allowed().length > 0 && total < cost) {
+                        int next = product.successor(theirs, sent.allowed());
+                        if (next >= 0 && to.isAt(mine.next()[step], next)) {
+                            left = mine.next()[step];
+                            set = next;
+                            cost = total;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    private Result unpacked() {
         open();
         int[] frontier = pairs.nextLevel();
         while (frontier.length > 0 && (best == null || goesOn)) {
@@ -130,13 +254,16 @@ public final class TraceInclusion {
             for (int node : frontier) {
                 String exhausted = budget.exhausted(pairs.size());
                 if (exhausted != null) {
-                    return result(Optional.of(exhausted));
+                    return result(product.missing().or(() -> Optional.of(exhausted)));
+                }
+                if (product.missing().isPresent() && pairs.size() > SOME_PAIRS) {
+                    return result(product.missing());
                 }
                 expand(node);
             }
             frontier = pairs.nextLevel();
         }
-        return result(Optional.empty());
+        return result(product.missing());
     }
 
     private Result result(Optional<String> stopped) {
@@ -149,12 +276,7 @@ public final class TraceInclusion {
                                         ? certain(true)
                                         : simulation.verdict().flatMap(this::certain);
         return new Result(
-                Optional.ofNullable(best),
-                stopped,
-                simulated,
-                chaosReached,
-                promising,
-                pairs.size());
+                Optional.ofNullable(best), stopped, simulated, chaosReached, promising, pairs());
     }
 
     /** Who decides late about a message simulates more easily, and is less easily simulated. */
@@ -241,6 +363,11 @@ public final class TraceInclusion {
         return false;
     }
 
+    /** Why some inputs were left out that are told apart; empty where none was. */
+    public Optional<String> missing() {
+        return product.missing();
+    }
+
     /** Why it holds: the pairs that show the inclusion, of a search that found no failure. */
     public Certificate certificate() {
         List<Certificate.Entry> entries = new ArrayList<>();
@@ -262,9 +389,24 @@ public final class TraceInclusion {
         return new Counterexample.Teller(product, pairs).tell(failure);
     }
 
+    /** Parts and variables of the left side that the search did without. */
+    public List<String> leftOut() {
+        return leftOut;
+    }
+
+    /** Which parts of the left side are equal, so that the search did not tell their places. */
+    public List<String> equalParts() {
+        return packed == null ? List.of() : packed.equalParts();
+    }
+
     /** How many pairs were explored so far. */
     public long pairs() {
-        return pairs.size();
+        return packed == null ? pairs.size() : packed.size();
+    }
+
+    /** How many configurations of the left side were met so far. */
+    public int lefts() {
+        return packed == null ? product.left.size() : packed.lefts();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */

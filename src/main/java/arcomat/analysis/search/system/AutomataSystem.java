@@ -3,6 +3,8 @@ package arcomat.analysis.search.system;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.smt.DataStep;
+import arcomat.analysis.smt.Preconditions;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
@@ -17,16 +19,21 @@ import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.value.InputAbstraction;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** An atomic component, or the requirements on a component: a conjunction of automata. */
 public final class AutomataSystem extends ModelSystem<List<Configuration>> {
     private final ComponentSemantics behaviour;
     private final Budget budget;
     private final BitSet chaotic = new BitSet();
+
+    /** Per automaton, as far as they have been asked for, one per transition. */
+    private final List<List<Preconditions>> preconditions = new ArrayList<>();
 
     /**
      * @param observed names of the output ports that are compared
@@ -110,6 +117,26 @@ public final class AutomataSystem extends ModelSystem<List<Configuration>> {
     public boolean mayErr() {
         return behaviour.relations().stream()
                 .anyMatch(relation -> RunErrors.arePossible(relation.automaton()));
+    }
+
+    @Override
+    public Optional<List<DataStep>> dataSteps(int configuration) {
+        List<DataStep> steps = new ArrayList<>();
+        List<Configuration> each = get(configuration);
+        for (int i = 0; i < behaviour.relations().size() && each.size() > i; i++) {
+            steps.addAll(DataStep.outOf(each.get(i), behaviour.relations().get(i), ready(i)));
+        }
+        return Optional.of(steps);
+    }
+
+    private List<Preconditions> ready(int automaton) {
+        while (preconditions.size() <= automaton) {
+            preconditions.add(
+                    Preconditions.of(
+                            profile(),
+                            behaviour.relations().get(preconditions.size()).automaton()));
+        }
+        return preconditions.get(automaton);
     }
 
     /** One per automaton. */

@@ -90,6 +90,11 @@ public final class DataIndependence {
         return sort;
     }
 
+    /** Whether an input has such data. */
+    public boolean isFree(int port) {
+        return ofInputs[port] != null;
+    }
+
     /** Whether there are such data. */
     public boolean any() {
         return any;

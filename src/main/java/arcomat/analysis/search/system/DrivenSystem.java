@@ -3,11 +3,14 @@ package arcomat.analysis.search.system;
 import arcomat.analysis.search.letter.LatchedPorts;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.smt.DataStep;
 import arcomat.model.Value;
 import arcomat.semantics.value.InputAbstraction;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * A system as its environment really drives it: a latched port that has got a message holds one
@@ -51,6 +54,11 @@ public final class DrivenSystem extends HistorySystem<Long> {
         return latched.isPossible(before.memory(), letter)
                 ? remembering(system.steps(before.inner(), letter), latched.held(letter))
                 : new Steps.Collector().steps();
+    }
+
+    @Override
+    public Optional<List<DataStep>> dataSteps(int configuration) {
+        return system.dataSteps(get(configuration).inner());
     }
 
     @Override

@@ -1,11 +1,15 @@
 package arcomat.analysis.search.system;
 
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.composition.EventUnfolding;
 import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.composition.SliceUnfolding;
 import arcomat.analysis.search.composition.Unfolding;
 import arcomat.analysis.search.letter.Representatives;
+import arcomat.analysis.search.packed.PackedNetwork;
+import arcomat.analysis.search.reduction.EqualParts;
+import arcomat.analysis.search.reduction.SmallerNetwork;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Component;
@@ -14,24 +18,36 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntFunction;
 
 /**
  * A composition of parts, unfolded as far as a search asks for it. Connections that are no ports of
  * the whole are hidden.
  */
 public final class NetworkSystem extends ModelSystem<GlobalState> {
+    /**
+     * A system without what a question cannot notice.
+     *
+     * @param network what it is made of
+     */
+    public record Smaller(NetworkSystem system, SmallerNetwork network) {}
+
     private final Network network;
+    private final List<String> compared;
+    private final Budget budget;
     private final Unfolding unfolding;
     private final Set<Integer> delayed;
 
@@ -48,6 +64,8 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
                 cubes,
                 budget);
         this.network = network;
+        this.compared = List.copyOf(observed);
+        this.budget = budget;
         this.delayed = network.delayed();
         this.unfolding =
                 profile() == Component.Profile.EVENT_DRIVEN
@@ -99,6 +117,64 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
             }
         }
         return twins;
+    }
+
+    /** Whether its configurations can be packed: not those of events, which wait in queues. */
+    public boolean canBePacked() {
+        return profile() == Component.Profile.TIME_SYNCHRONOUS;
+    }
+
+    /** The same system without what cannot be noticed on compared outputs. */
+    public Smaller smaller() {
+        SmallerNetwork smaller = SmallerNetwork.of(network, comparedSignals(), budget);
+        return new Smaller(new NetworkSystem(smaller.network(), compared, cubes, budget), smaller);
+    }
+
+    /** Its network in numbers, from which this system's configurations can be told. */
+    public PackedNetwork packed() {
+        return new PackedNetwork(
+                network,
+                unfolding.behaviours(),
+                comparedSignals(),
+                equalParts(),
+                budget::insist,
+                budget::takes);
+    }
+
+    private List<EqualParts> equalParts() {
+        List<EqualParts> equal = EqualParts.of(network, comparedSignals(), mayErr());
+        return equal.isEmpty() || budget.takes(Shortcut.EQUAL_PARTS) ? equal : List.of();
+    }
+
+    /** Those of compared outputs, of those that are connected. */
+    private int[] comparedSignals() {
+        return observed()
+                .filter(i -> i >= 0)
+                .map(i -> network.outputs().get(i).signal())
+                .filter(signal -> signal != Network.UNCONNECTED)
+                .toArray();
+    }
+
+    /** The number of a configuration. */
+    public int configuration(GlobalState state) {
+        return number(state);
+    }
+
+    public GlobalState state(int configuration) {
+        return get(configuration);
+    }
+
+    /**
+     * The number of what compared ports show.
+     *
+     * @param shown what is sent on the signal of one of them
+     */
+    public int cube(IntFunction<Sent> shown) {
+        List<Sent> sent = new ArrayList<>(Collections.nCopies(outputs().size(), Sent.SILENCE));
+        observed()
+                .filter(i -> i >= 0 && network.outputs().get(i).signal() != Network.UNCONNECTED)
+                .forEach(i -> sent.set(i, shown.apply(network.outputs().get(i).signal())));
+        return observed(sent);
     }
 
     @Override

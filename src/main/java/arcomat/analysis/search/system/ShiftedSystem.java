@@ -3,6 +3,8 @@ package arcomat.analysis.search.system;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.smt.DataStep;
+import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
@@ -11,7 +13,9 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * A system whose reactions on some ports stand in the slice in which they are seen, one after that
@@ -22,28 +26,26 @@ import java.util.stream.IntStream;
  */
 public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     private final BitSet late;
-    private final int observed;
+    private final List<Port> observed;
     private final OutputCubes outputs;
-    private final List<Boolean> total;
 
     private ShiftedSystem(
-            TransitionSystem system, BitSet late, List<Boolean> total, OutputCubes outputs) {
+            TransitionSystem system, BitSet late, List<Port> observed, OutputCubes outputs) {
         super(system);
         this.late = late;
-        this.observed = total.size();
-        this.total = total;
+        this.observed = List.copyOf(observed);
         this.outputs = outputs;
     }
 
     /**
      * The system as it is seen beside another one; itself where both send with the same delays.
      *
-     * @param total per compared port, whether it carries a message in every slice
+     * @param observed the compared ports
      */
     public static TransitionSystem beside(
             TransitionSystem system,
             TransitionSystem other,
-            List<Boolean> total,
+            List<Port> observed,
             OutputCubes outputs) {
         BitSet late = new BitSet();
         int[] own = system.delays();
@@ -51,7 +53,7 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
         for (int port = 0; port < own.length; port++) {
             late.set(port, own[port] == 1 && others[port] == 0);
         }
-        return late.isEmpty() ? system : new ShiftedSystem(system, late, total, outputs);
+        return late.isEmpty() ? system : new ShiftedSystem(system, late, observed, outputs);
     }
 
     /** The compared ports that stand in the slice in which they are seen. */
@@ -76,6 +78,23 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
         return system.letterClasses(get(configuration).inner());
     }
 
+    /** What is going to be seen is remembered, and what is remembered is seen. */
+    @Override
+    public Optional<List<DataStep>> dataSteps(int configuration) {
+        List<Port> ports = late.stream().mapToObj(observed::get).toList();
+        List<Sent> memory = get(configuration).memory();
+        List<List<Value>> messages =
+                late.stream().mapToObj(memory::get).map(ShiftedSystem::messages).toList();
+        DataStep seen = DataStep.sending(ports, messages);
+        return system.dataSteps(get(configuration).inner())
+                .map(
+                        steps ->
+                                Stream.concat(
+                                                Stream.of(seen),
+                                                steps.stream().map(each -> each.remembering(ports)))
+                                        .toList());
+    }
+
     @Override
     Steps compute(State<List<Sent>> before, long kind, Value[] letter) {
         return shown(system.steps(before.inner(), letter), before.memory());
@@ -94,8 +113,12 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
         return own.changed(sent, next);
     }
 
+    private static List<Value> messages(Sent sent) {
+        return sent instanceof Sent.Messages messages ? messages.values() : List.of();
+    }
+
     private List<Sent> silence() {
-        return Collections.nCopies(observed, Sent.SILENCE);
+        return Collections.nCopies(observed.size(), Sent.SILENCE);
     }
 
     /** On late ports those of the second list. */
@@ -110,7 +133,8 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     public boolean isChaos(int configuration) {
         List<Sent> memory = get(configuration).memory();
         return super.isChaos(configuration)
-                && late.stream().allMatch(port -> isOpen(memory.get(port), total.get(port)));
+                && late.stream()
+                        .allMatch(port -> isOpen(memory.get(port), observed.get(port).total()));
     }
 
     private static boolean isOpen(Sent sent, boolean total) {

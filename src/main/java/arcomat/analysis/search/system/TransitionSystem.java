@@ -2,6 +2,7 @@ package arcomat.analysis.search.system;
 
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.smt.DataStep;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -46,6 +47,14 @@ public interface TransitionSystem {
 
     /** The letters that a configuration tells apart. */
     LetterClasses letterClasses(int configuration);
+
+    /**
+     * The steps that may be possible in a configuration, told as expressions over the messages;
+     * empty where that cannot be told.
+     */
+    default Optional<List<DataStep>> dataSteps(int configuration) {
+        return Optional.empty();
+    }
 
     /**
      * @param kind of the letter, as the configuration's letter classes say

@@ -1,0 +1,123 @@
+package arcomat.benchmarks.compositions;
+
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
+import arcomat.benchmarks.measure.Measurement;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Compositions of growing size, each in a process of its own, beside Spin's compiled verifier for
+ * the same system where Spin is installed. User time, since a process that waits is not to blame
+ * for it; that of ours includes all of Java's start and its compiler.
+ */
+public final class CompositionsGroup implements Group {
+    /** {@code -Dsystems="shift 16,shift 20"} asks about others. */
+    private static final String USUAL =
+            "philosophers 6,philosophers 7,philosophers 8,philosophers 9,tokens 7,tokens 8,tokens"
+                    + " 9,shift 14,shift 18,shift 20,shift 22,queues 4,queues 6,queues 8,queues"
+                    + " 9,leader 8,leader 10";
+
+    private static final double HALF = 0.5;
+    private static final String MEMORY = " memory";
+    private static final String SPIN = " Spin";
+
+    private final List<ComposedSystem> systems = new ArrayList<>();
+    private final boolean spin = SpinVerifier.isInstalled();
+
+    public CompositionsGroup() {
+        for (String each : System.getProperty("systems", USUAL).split(",")) {
+            String[] words = each.strip().split(" ");
+            systems.add(ComposedSystems.of(words[0], Integer.parseInt(words[1])));
+        }
+    }
+
+    @Override
+    public String name() {
+        return "compositions";
+    }
+
+    @Override
+    public List<Class<?>> benchmarks() {
+        return List.of();
+    }
+
+    @Override
+    public List<String> prepare() {
+        return spin ? List.of() : List.of("spin or gcc is not installed: nothing is compared");
+    }
+
+    @Override
+    public Map<String, Measurement> measure() throws IOException {
+        Map<String, Measurement> results = new LinkedHashMap<>();
+        try {
+            for (ComposedSystem system : systems) {
+                measure(system, results);
+            }
+        } catch (InterruptedException e) {
+            throw new IOException(e);
+        }
+        return results;
+    }
+
+    private void measure(ComposedSystem system, Map<String, Measurement> results)
+            throws IOException, InterruptedException {
+        UserTime ours = UserTime.of(command(system));
+        String[] answer = ours.output().split(" ");
+        if (!answer[0].equals("HOLDS")) {
+            throw new IllegalStateException(system.label() + ": " + ours.output());
+        }
+        long configurations = Long.parseLong(answer[1]);
+        add(results, system.label(), ours);
+        put(results, system.label() + " configurations", configurations, "");
+        put(results, system.label() + " a second", configurations / ours.seconds(), "/s");
+        if (spin) {
+            UserTime theirs = SpinVerifier.run(system);
+            add(results, system.label() + SPIN, theirs);
+            put(results, system.label() + SPIN + " states", SpinVerifier.stored(theirs), "");
+        }
+    }
+
+    private static void add(Map<String, Measurement> results, String label, UserTime time) {
+        put(results, label, time.seconds(), "s");
+        put(results, label + MEMORY, time.megabytes(), "MB");
+    }
+
+    private static void put(
+            Map<String, Measurement> results, String label, double value, String unit) {
+        results.put(label, Measurement.of(label, List.of(value), unit));
+    }
+
+    private static List<String> command(ComposedSystem system) {
+        return List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx6g",
+                "-XX:+UseSerialGC",
+                "-cp",
+                System.getProperty("java.class.path"),
+                AskedComposition.class.getName(),
+                system.name(),
+                String.valueOf(system.size()));
+    }
+
+    @Override
+    public List<Goal> goals() {
+        List<Goal> goals = new ArrayList<>();
+        for (ComposedSystem system : spin ? systems : List.<ComposedSystem>of()) {
+            String label = system.label();
+            goals.add(Goal.aim(label + ", time of Spin's", label, label + SPIN, HALF));
+            goals.add(
+                    Goal.aim(
+                            label + ", memory of Spin's",
+                            label + MEMORY,
+                            label + SPIN + MEMORY,
+                            HALF));
+        }
+        return goals;
+    }
+}

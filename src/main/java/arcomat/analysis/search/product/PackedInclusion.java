@@ -1,0 +1,260 @@
+package arcomat.analysis.search.product;
+
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.composition.GlobalState;
+import arcomat.analysis.search.packed.PackedLayout;
+import arcomat.analysis.search.packed.PackedNetwork;
+import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
+import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
+import arcomat.analysis.search.packed.PackedSlices;
+import arcomat.analysis.search.product.PackedAnswers.Answer;
+import arcomat.analysis.search.product.PackedAnswers.Frame;
+import arcomat.analysis.search.step.OutputCubes;
+import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.NetworkSystem;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * The search of {@link TraceInclusion} where the left side is a network whose configurations are
+ * packed, and the right side is never in more than one configuration. It meets the same pairs in
+ * the same order; of those that differ in the places of equal parts, one that stands for them.
+ */
+final class PackedInclusion {
+    /**
+     * What was found.
+     *
+     * @param path the pairs that lead to the first failure, for {@link #isAt}; empty where there is
+     *     none
+     * @param cost how many messages the failure takes
+     */
+    record Found(
+            List<long[]> path,
+            int cost,
+            Optional<String> stopped,
+            boolean chaosReached,
+            boolean promising) {}
+
+    private static final int NONE = PackedPairs.NONE;
+
+    private final Product product;
+    private final NetworkSystem left;
+    private final PackedNetwork network;
+    private final Budget budget;
+    private final PackedAnswers answers;
+    private final PackedPairs pairs;
+    private PackedLayout layout;
+    private PackedSlices slices;
+
+    /** Gives the configuration that stands for one. */
+    private Consumer<long[]> canonical;
+
+    private long[] configuration;
+    private long[] key;
+    private int failed = NONE;
+    private int failedCost;
+
+    private PackedInclusion(Product product, NetworkSystem left, Budget budget) {
+        this.product = product;
+        this.left = left;
+        this.budget = budget;
+        network = left.packed();
+        answers = new PackedAnswers(product, left, network);
+        layout = network.layout();
+        slices = PackedSlices.of(network, layout);
+        canonical = network.canonical(layout);
+        pairs = new PackedPairs(network, layout);
+        configuration = new long[layout.words()];
+        key = new long[layout.words()];
+    }
+
+    /** Whether it is worth a try. */
+    static boolean isFor(Product product) {
+        return product.left instanceof NetworkSystem network
+                && network.canBePacked()
+                && !product.hasFreeData();
+    }
+
+    /** Ready to search; empty where that is not possible. */
+    static Optional<PackedInclusion> of(Product product, Budget budget) {
+        if (!isFor(product)) {
+            return Optional.empty();
+        }
+        try {
+            NetworkSystem network = (NetworkSystem) product.left;
+            return Optional.of(new PackedInclusion(product, network, budget));
+        } catch (CannotPack unfit) {
+            return Optional.empty();
+        }
+    }
+
+    /** Empty where only the unpacked search can tell. */
+    Optional<Found> run() {
+        try {
+            return open() ? Optional.of(levels()) : Optional.empty();
+        } catch (CannotPack unfit) {
+            return Optional.empty();
+        }
+    }
+
+    /** In words, which parts are equal, so that their places did not matter. */
+    List<String> equalParts() {
+        return network.equalParts();
+    }
+
+    /** How many pairs have been met. */
+    int size() {
+        return pairs.size();
+    }
+
+    /** How many configurations of the left side have been met. */
+    int lefts() {
+        return pairs.configurations(answers.sets());
+    }
+
+    /** Goes on in a layout for all that has been met. */
+    private void widen() {
+        layout = network.layout();
+        pairs.move(layout);
+        slices = PackedSlices.of(network, layout);
+        canonical = network.canonical(layout);
+        answers.forgetShown();
+        configuration = new long[layout.words()];
+        key = new long[layout.words()];
+    }
+
+    private void widening(Runnable action) {
+        while (true) {
+            try {
+                action.run();
+                return;
+            } catch (TooNarrow more) {
+                widen();
+            }
+        }
+    }
+
+    /** Whether every beginning is allowed. */
+    private boolean open() {
+        Steps mine = left.openings();
+        Steps theirs = product.right.openings();
+        for (int step = 0; step < mine.size(); step++) {
+            Answer answer = answers.atTheStart(mine.outputs()[step], theirs);
+            int next = mine.next()[step];
+            for (int i = 0; i < answer.next().length; i++) {
+                int set = answer.next()[i];
+                int cost = answer.messages()[i];
+                if (set == PackedAnswers.FAILS) {
+                    return false;
+                }
+                widening(() -> begin(next, set, cost));
+            }
+        }
+        return true;
+    }
+
+    private void begin(int next, int set, int cost) {
+        network.pack(left.state(next), layout, key);
+        canonical.accept(key);
+        reach(NONE, set, cost);
+    }
+
+    private Found levels() {
+        int[] frontier = pairs.nextLevel();
+        while (frontier.length > 0 && failed == NONE) {
+            for (int node : frontier) {
+                @Nullable String exhausted = exhausted();
+                if (exhausted != null) {
+                    return found(Optional.of(exhausted));
+                }
+                widening(() -> expand(node));
+            }
+            frontier = pairs.nextLevel();
+        }
+        return found(Optional.empty());
+    }
+
+    private @Nullable String exhausted() {
+        pairs.countBeyond(budget.states());
+        return budget.exhausted(pairs.size());
+    }
+
+    private Found found(Optional<String> stopped) {
+        pairs.close();
+        return new Found(
+                pairs.path(failed),
+                failedCost,
+                stopped,
+                answers.chaosReached(),
+                answers.promising());
+    }
+
+    /** Whether a configuration and a set are a pair that has been met. */
+    boolean isAt(long[] pair, GlobalState state, int set) {
+        if (layout.get(pair, network.markField()) != set) {
+            return false;
+        }
+        try {
+            network.pack(state, layout, key);
+            canonical.accept(key);
+        } catch (TooNarrow | CannotPack other) {
+            return false;
+        }
+        layout.put(key, network.markField(), set);
+        return Arrays.equals(key, pair);
+    }
+
+    private void expand(int node) {
+        pairs.get(node, configuration);
+        int set = layout.get(configuration, network.markField());
+        layout.clear(configuration, network.markField());
+        if (network.hasEnded(configuration, layout)) {
+            return;
+        }
+        slices.begin(configuration);
+        Frame frame = answers.frame(set, slices.looks(), this::number);
+        int cost = pairs.cost(node);
+        for (int letter = 0; letter < frame.messages.length; letter++) {
+            slices.read(frame.messages[letter]);
+            int more = cost + frame.cost(letter);
+            while (slices.next()) {
+                follow(node, frame, letter, more);
+            }
+        }
+    }
+
+    /** That of the configuration that is expanded. */
+    private int number() {
+        return left.configuration(network.unpack(configuration, layout));
+    }
+
+    private void follow(int node, Frame frame, int letter, int cost) {
+        int sent = slices.hasEnded() ? OutputCubes.ERROR : answers.sent(slices, slices.shown());
+        Answer answer = answers.answer(frame, letter, sent);
+        for (int i = 0; i < answer.next().length; i++) {
+            int next = answer.next()[i];
+            int total = cost + answer.messages()[i];
+            slices.after(key);
+            canonical.accept(key);
+            reach(node, next, total);
+            if (next == PackedAnswers.FAILS && (failed == NONE || total < failedCost)) {
+                failed = node;
+                failedCost = total;
+            }
+        }
+    }
+
+    /** What is in {@link #key} is reached, together with a set where there is one. */
+    private void reach(int parent, int set, int cost) {
+        if (set < 0) {
+            pairs.addLoose(key);
+        } else {
+            pairs.add(key, parent, set, cost);
+        }
+    }
+}

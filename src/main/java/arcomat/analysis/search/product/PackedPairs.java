@@ -1,0 +1,193 @@
+package arcomat.analysis.search.product;
+
+import arcomat.analysis.search.packed.PackedLayout;
+import arcomat.analysis.search.packed.PackedNetwork;
+import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
+import arcomat.analysis.search.packed.PackedTable;
+
+import com.carrotsearch.hppc.IntArrayList;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * The pairs that a packed search has met, level by level, each with the pair before it and the
+ * messages that it took. A pair is a packed configuration with the number of a set as its mark.
+ */
+final class PackedPairs {
+    /** In place of a pair, before a beginning. */
+    static final int NONE = -1;
+
+    private final PackedNetwork network;
+    private PackedLayout layout;
+    private PackedTable pairs;
+
+    /** Configurations after steps that end the search: they are in no pair. */
+    private PackedTable loose;
+
+    /** Pairs that are added a little later: of many at once, the table finds the places sooner. */
+    private long[] waitingKeys;
+
+    private final int[] parentsOfWaiting = new int[PackedTable.MOST_TOUCHED];
+    private final int[] costsOfWaiting = new int[PackedTable.MOST_TOUCHED];
+    private int waiting;
+    private final IntArrayList parents = new IntArrayList();
+
+    /** Of the level that is expanded, and of the one that is found, from their first pair on. */
+    private IntArrayList costs = new IntArrayList();
+
+    private IntArrayList nextCosts = new IntArrayList();
+    private int levelStart;
+    private int nextStart;
+
+    PackedPairs(PackedNetwork network, PackedLayout layout) {
+        this.network = network;
+        this.layout = layout;
+        pairs = new PackedTable(layout.words());
+        loose = new PackedTable(layout.words());
+        waitingKeys = new long[layout.words() * PackedTable.MOST_TOUCHED];
+    }
+
+    /** The same pairs in another layout. */
+    void move(PackedLayout to) {
+        addWaiting();
+        pairs = pairs.moved(layout, to);
+        loose = loose.moved(layout, to);
+        waitingKeys = new long[to.words() * PackedTable.MOST_TOUCHED];
+        layout = to;
+    }
+
+    /** How many there are, but for those that wait. */
+    int size() {
+        return pairs.size();
+    }
+
+    /** Nobody waits where there may be more than so many. */
+    void countBeyond(long most) {
+        if (pairs.size() + waiting > most) {
+            addWaiting();
+        }
+    }
+
+    void get(int number, long[] into) {
+        pairs.get(number, into);
+    }
+
+    /** The messages on the way to a pair of the level that is expanded. */
+    int cost(int number) {
+        return costs.get(number - levelStart);
+    }
+
+    /**
+     * A configuration is reached, together with a set.
+     *
+     * @param key the configuration; marked here
+     */
+    void add(long[] key, int parent, int set, int cost) {
+        if (!layout.fits(network.markField(), set)) {
+            throw new TooNarrow();
+        }
+        layout.put(key, network.markField(), set);
+        if (waiting == parentsOfWaiting.length) {
+            addWaiting();
+        }
+        System.arraycopy(key, 0, waitingKeys, waiting * key.length, key.length);
+        parentsOfWaiting[waiting] = parent;
+        costsOfWaiting[waiting++] = cost;
+    }
+
+    /** A configuration is reached where the right side does not matter any more. */
+    void addLoose(long[] key) {
+        loose.add(key);
+    }
+
+    private void addWaiting() {
+        pairs.touch(waitingKeys, waiting);
+        for (int i = 0; i < waiting; i++) {
+            add(i);
+        }
+        waiting = 0;
+    }
+
+    private void add(int which) {
+        int cost = costsOfWaiting[which];
+        int number = pairs.add(waitingKeys, which * layout.words());
+        if (number < 0) {
+            parents.add(parentsOfWaiting[which]);
+            nextCosts.add(cost);
+        } else if (number >= nextStart && cost < nextCosts.get(number - nextStart)) {
+            nextCosts.set(number - nextStart, cost);
+            parents.set(number, parentsOfWaiting[which]);
+        }
+    }
+
+    /** The pairs of the level that has been found, those that took fewer messages first. */
+    int[] nextLevel() {
+        addWaiting();
+        costs = nextCosts;
+        nextCosts = new IntArrayList();
+        levelStart = nextStart;
+        nextStart = pairs.size();
+        return sorted();
+    }
+
+    /** By counting; those that cost the same keep their order. */
+    private int[] sorted() {
+        int count = costs.size();
+        int least = Integer.MAX_VALUE;
+        int most = Integer.MIN_VALUE;
+        for (int i = 0; i < count; i++) {
+            least = Math.min(least, costs.get(i));
+            most = Math.max(most, costs.get(i));
+        }
+        int[] starts = new int[count == 0 ? 1 : most - least + 2];
+        for (int i = 0; i < count; i++) {
+            starts[costs.get(i) - least + 1]++;
+        }
+        for (int i = 1; i < starts.length; i++) {
+            starts[i] += starts[i - 1];
+        }
+        int[] level = new int[count];
+        for (int i = 0; i < count; i++) {
+            level[starts[costs.get(i) - least]++] = levelStart + i;
+        }
+        return level;
+    }
+
+    /** The pairs that lead to one, it included, a beginning first. */
+    List<long[]> path(int last) {
+        List<long[]> path = new ArrayList<>();
+        for (int node = last; node != NONE; node = parents.get(node)) {
+            long[] key = new long[layout.words()];
+            pairs.get(node, key);
+            path.add(key);
+        }
+        Collections.reverse(path);
+        return path;
+    }
+
+    /** How many configurations have been met, whatever the set beside them. */
+    int configurations(int sets) {
+        if (sets <= 1 && loose.size() == 0) {
+            return pairs.size();
+        }
+        long[] key = new long[layout.words()];
+        PackedTable all = new PackedTable(layout.words());
+        for (int node = 0; node < pairs.size(); node++) {
+            pairs.get(node, key);
+            layout.clear(key, network.markField());
+            all.add(key);
+        }
+        for (int i = 0; i < loose.size(); i++) {
+            loose.get(i, key);
+            all.add(key);
+        }
+        return all.size();
+    }
+
+    /** After the last step of a search. */
+    void close() {
+        addWaiting();
+    }
+}

@@ -1,0 +1,56 @@
+package arcomat.analysis.search.reduction;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.expression.Interval;
+
+/** Expressions that go well wherever they are computed. Errs on the side of no. */
+final class SureResults {
+    private SureResults() {}
+
+    /** Whether a value can always be computed, and always is one of a type. */
+    static boolean isSure(Expression value, Type target) {
+        return !mayDivideByZero(value) && isWithin(value, target);
+    }
+
+    private static boolean isWithin(Expression value, Type target) {
+        if (!(target instanceof Type.IntegerType integer) || !integer.ranged()) {
+            return true;
+        }
+        return readsKnownTypes(value)
+                && Interval.of(value).isWithin(Interval.of(integer.low(), integer.high()));
+    }
+
+    /** Nobody has compared an argument, or an attribute, with the range of its type. */
+    private static boolean readsKnownTypes(Expression e) {
+        return !(e instanceof Expression.ParameterRead)
+                && !(e instanceof Expression.AttributeRead)
+                && e.operands().stream().allMatch(SureResults::readsKnownTypes);
+    }
+
+    static boolean mayDivideByZero(Expression e) {
+        boolean divides =
+                e instanceof Expression.Binary binary
+                        && (binary.operator() == BinaryOperator.DIVIDE
+                                || binary.operator() == BinaryOperator.REMAINDER)
+                        && !isNumberButZero(binary.right());
+        return divides || e.operands().stream().anyMatch(SureResults::mayDivideByZero);
+    }
+
+    private static boolean isNumberButZero(Expression e) {
+        return e instanceof Expression.Constant constant
+                && constant.value() instanceof Value.IntegerValue number
+                && number.value() != 0;
+    }
+
+    /** Whether it can always be told if a transition is enabled. */
+    static boolean isSureCondition(Automaton.Transition transition) {
+        return transition.guard().stream().noneMatch(SureResults::mayDivideByZero)
+                && transition.matches().stream()
+                        .flatMap(match -> match.pattern().values().stream())
+                        .noneMatch(SureResults::mayDivideByZero);
+    }
+}
