@@ -100,14 +100,17 @@ public final class UnsatCores {
     }
 
     private Stream<BitSet> pairs(BitSet group) {
-        return group.stream()
-                .boxed()
-                .flatMap(
-                        one ->
-                                group.stream()
-                                        .filter(other -> one < other)
-                                        .filter(other -> groups.areNeighbours(one, other))
-                                        .mapToObj(other -> set(one, other)));
+        List<BitSet> pairs = new ArrayList<>();
+        for (int one = group.nextSetBit(0); one >= 0; one = group.nextSetBit(one + 1)) {
+            for (int other = group.nextSetBit(one + 1);
+                    other >= 0;
+                    other = group.nextSetBit(other + 1)) {
+                if (groups.areNeighbours(one, other)) {
+                    pairs.add(set(one, other));
+                }
+            }
+        }
+        return pairs.stream();
     }
 
     private static BitSet set(int... members) {

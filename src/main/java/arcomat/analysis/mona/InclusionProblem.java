@@ -105,8 +105,7 @@ public record InclusionProblem(
         }
 
         TransitionSystem beside(TransitionSystem side, TransitionSystem other) {
-            List<Boolean> total = observed.stream().map(Port::total).toList();
-            return ShiftedSystem.beside(side, other, total, outputs);
+            return ShiftedSystem.beside(side, other, observed, outputs);
         }
 
         ExplicitSystem machine(Named named, TransitionSystem side) {

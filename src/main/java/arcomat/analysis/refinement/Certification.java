@@ -2,6 +2,7 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.CertificateCheck;
 import arcomat.semantics.value.GivenUp;
@@ -16,7 +17,10 @@ import java.util.Optional;
  */
 public record Certification(Verdict verdict, List<Certificate> certificates) {
 
-    /** As {@link Refinement#check}, but without the short cut part by part. */
+    /**
+     * As {@link Refinement#check}, but without the short cut part by part; and pairs that are to be
+     * written down are not packed.
+     */
     public static Certification of(Promise left, Promise right, Budget budget) {
         List<Certificate> found = new ArrayList<>();
         Optional<Verdict> known = Refinement.comparable(left, right);
@@ -24,8 +28,9 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
             return new Certification(known.get(), List.of());
         }
         List<Verdict> verdicts = new ArrayList<>();
+        Budget unpacked = budget.with(rule -> rule != Shortcut.PACKED && budget.takes(rule));
         for (Promise each : right.each()) {
-            verdicts.add(Refinement.compare(left, each, budget, proof -> found.add(proof.get())));
+            verdicts.add(Refinement.compare(left, each, unpacked, proof -> found.add(proof.get())));
         }
         Verdict verdict = Refinement.all(verdicts);
         return new Certification(verdict, verdict.answer() == Answer.HOLDS ? found : List.of());

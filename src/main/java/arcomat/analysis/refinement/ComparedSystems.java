@@ -40,12 +40,11 @@ public record ComparedSystems(
             TransitionSystem right,
             List<Port> observed,
             OutputCubes outputs) {
-        List<Boolean> total = observed.stream().map(Port::total).toList();
         return new ComparedSystems(
                 left,
                 right,
-                ShiftedSystem.beside(left, right, total, outputs),
-                ShiftedSystem.beside(right, left, total, outputs),
+                ShiftedSystem.beside(left, right, observed, outputs),
+                ShiftedSystem.beside(right, left, observed, outputs),
                 observed,
                 outputs);
     }
@@ -101,7 +100,7 @@ public record ComparedSystems(
         return new TraceInclusion(left, right, observed, outputs, budget);
     }
 
-    Explored explored(long pairs) {
-        return new Explored(pairs, left.size(), right.size());
+    Explored explored(TraceInclusion inclusion) {
+        return new Explored(inclusion.pairs(), inclusion.lefts(), right.size());
     }
 }

@@ -114,13 +114,13 @@ public final class InvariantProof {
                 ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
         TraceInclusion inclusion = systems.inclusion(budget);
         return Budget.within(
-                () -> verdict(together, systems, inclusion),
-                reason -> Verdict.unknown(reason, explored(systems, inclusion.pairs())));
+                () -> verdict(together, systems, inclusion).without(inclusion),
+                reason -> Verdict.unknown(reason, explored(inclusion)));
     }
 
     private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {
         TraceInclusion.Result result = inclusion.run();
-        Explored explored = explored(systems, result.pairs());
+        Explored explored = explored(inclusion);
         if (result.failure().isPresent()) {
             InvariantCounterexample told =
                     new InvariantCounterexample(asked.component(), together, watch);
@@ -135,8 +135,8 @@ public final class InvariantProof {
                 : Verdict.holds(Optional.empty(), List.of(), explored);
     }
 
-    private static Explored explored(ComparedSystems systems, long pairs) {
-        return new Explored(pairs, systems.left().size(), 1);
+    private static Explored explored(TraceInclusion inclusion) {
+        return new Explored(inclusion.pairs(), inclusion.lefts(), 1);
     }
 
     /** Never sends on the observer's port, and may end in an error whenever it likes. */

@@ -29,6 +29,9 @@ public final class Refinement {
     private final ComparedSystems systems;
     private final TraceInclusion inclusion;
 
+    private static final String NOT_SHORTEST =
+            "not all inputs could be told apart: there may be a shorter run";
+
     private Refinement(Promise left, Promise right, Budget budget) {
         this.left = left;
         this.right = right;
@@ -157,14 +160,20 @@ public final class Refinement {
     }
 
     private Verdict unknown(String reason) {
-        return Verdict.unknown(reason, systems.explored(inclusion.pairs()));
+        return Verdict.unknown(reason, systems.explored(inclusion));
     }
 
     private Verdict searched(Consumer<Supplier<Certificate>> proof) {
+        Verdict verdict = found(proof);
+        return verdict.without(inclusion);
+    }
+
+    private Verdict found(Consumer<Supplier<Certificate>> proof) {
         TraceInclusion.Result result = inclusion.run();
-        Explored explored = systems.explored(result.pairs());
+        Explored explored = systems.explored(inclusion);
         if (result.failure().isPresent()) {
-            return failure(result.failure().get(), explored);
+            Verdict verdict = failure(result.failure().get(), explored);
+            return inclusion.missing().isPresent() ? verdict.with(NOT_SHORTEST) : verdict;
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {
@@ -207,7 +216,7 @@ public final class Refinement {
 
     private List<Verdict> allSearched() {
         TraceInclusion.Result result = inclusion.runOn();
-        Explored explored = systems.explored(result.pairs());
+        Explored explored = systems.explored(inclusion);
         List<Verdict> found = new ArrayList<>();
         inclusion.failures().forEach(each -> found.add(failure(each, explored)));
         result.stopped()

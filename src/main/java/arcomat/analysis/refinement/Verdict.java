@@ -2,10 +2,13 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -33,6 +36,8 @@ public record Verdict(
         explanation = List.copyOf(explanation);
         notes = List.copyOf(notes);
     }
+
+    private static final int MOST_NAMED = 5;
 
     /** Whether a question is answered with yes, no, or not at all. */
     public enum Answer {
@@ -112,6 +117,23 @@ public record Verdict(
     public Verdict with(String note) {
         List<String> more = Stream.concat(notes.stream(), Stream.of(note)).toList();
         return new Verdict(answer, reason, simulation, trace, explanation, more, explored);
+    }
+
+    /** With notes of what a search did without. */
+    Verdict without(TraceInclusion search) {
+        List<String> all = new ArrayList<>();
+        List<String> parts = search.leftOut();
+        if (!parts.isEmpty()) {
+            String named = parts.stream().limit(MOST_NAMED).collect(Collectors.joining(", "));
+            int others = parts.size() - MOST_NAMED;
+            all.add(
+                    "left out, since the answer does not depend on it: "
+                            + named
+                            + (others > 0 ? " and %d more".formatted(others) : ""));
+        }
+        all.addAll(search.equalParts());
+        all.addAll(notes);
+        return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
     }
 
     /** Not even begun. */

@@ -13,18 +13,36 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
-/** The expressions of an automaton that have one value, or few, wherever it is. */
-record ConstantExpressions(Subject subject) implements Expression.SomeCases<Optional<Long>> {
+/**
+ * The expressions of an automaton that have one value, or few, wherever it is.
+ *
+ * @param parameters of the component
+ * @param arguments one per parameter
+ * @param variables of the automaton; others are constants of the component
+ */
+record ConstantExpressions(
+        List<Parameter> parameters, List<Value> arguments, List<Variable> variables)
+        implements Expression.SomeCases<Optional<Long>> {
     private static final long FEW = 64;
+
+    /** Where expressions read nothing but ports. */
+    static final ConstantExpressions WITHOUT_NAMES =
+            new ConstantExpressions(List.of(), List.of(), List.of());
+
+    static ConstantExpressions of(Subject subject) {
+        return new ConstantExpressions(
+                subject.component().parameters(),
+                subject.arguments(),
+                subject.automaton().variables());
+    }
 
     /** The argument for a parameter. */
     Value argument(Expression.ParameterRead read) {
         int position = 0;
-        List<Parameter> parameters = subject.component().parameters();
         while (!parameters.get(position).name().equals(read.parameter().name())) {
             position++;
         }
-        return subject.arguments().get(position);
+        return arguments.get(position);
     }
 
     /** The value of an integer that is written out, perhaps with a sign or by a name. */
@@ -101,7 +119,6 @@ record ConstantExpressions(Subject subject) implements Expression.SomeCases<Opti
 
     /** A constant of the component; variables of the automaton are none. */
     boolean isConstant(Variable variable) {
-        return subject.automaton().variables().stream()
-                .noneMatch(each -> each.name().equals(variable.name()));
+        return variables.stream().noneMatch(each -> each.name().equals(variable.name()));
     }
 }

@@ -13,7 +13,8 @@ import java.util.function.UnaryOperator;
 
 /**
  * Values as numbers and truth values. Constants of enumerations and characters have their position,
- * texts a number of their own. Reals and objects are numbers of which nothing is known.
+ * texts a number of their own; reals are numbered in their order ({@link RealCodes}). Objects are
+ * numbers of which nothing is known.
  */
 final class Encoding implements Value.Cases<Term>, Type.Cases<Encoding.Codes> {
     /**
@@ -25,15 +26,26 @@ final class Encoding implements Value.Cases<Term>, Type.Cases<Encoding.Codes> {
     record Codes(UnaryOperator<Term> range, Function<Term, Value> meaning) {}
 
     private final Solver solver;
+    private final boolean reals;
     private final List<String> texts = new ArrayList<>();
 
-    Encoding(Solver solver) {
+    /**
+     * @param reals whether numbers of floating point are exact, too, and operations that are not
+     *     known give the same for the same; else nothing is known of either
+     */
+    Encoding(Solver solver, boolean reals) {
         this.solver = solver;
+        this.reals = reals;
+    }
+
+    /** Whether numbers of floating point are exact, too. */
+    boolean areExact() {
+        return reals;
     }
 
     /** Whether equal values have equal codes, and only they. */
-    static boolean isExact(Type type) {
-        return !(type instanceof Type.RealType || type instanceof Type.ClassType);
+    boolean isExact(Type type) {
+        return !(type instanceof Type.ClassType) && (reals || !(type instanceof Type.RealType));
     }
 
     static boolean isTruth(Type type) {
@@ -41,8 +53,14 @@ final class Encoding implements Value.Cases<Term>, Type.Cases<Encoding.Codes> {
     }
 
     /** The code of a value of an exact type. */
-    Term encode(Value value) {
-        return value.match(this);
+    Term encode(Value value, Type type) {
+        return type instanceof Type.RealType real
+                ? solver.number(RealCodes.of(real).code(number(value)))
+                : value.match(this);
+    }
+
+    private static double number(Value value) {
+        return value instanceof Value.RealValue real ? real.value() : value.whole();
     }
 
     @Override
@@ -127,7 +145,13 @@ final class Encoding implements Value.Cases<Term>, Type.Cases<Encoding.Codes> {
 
     @Override
     public Codes realType(Type.RealType type) {
-        return any(unknown -> type.first());
+        if (!reals) {
+            return any(unknown -> type.first());
+        }
+        RealCodes codes = RealCodes.of(type);
+        return new Codes(
+                code -> solver.between(codes.least(), code, codes.most()),
+                code -> new Value.RealValue(codes.real(solver.numberOf(code).longValueExact())));
     }
 
     @Override

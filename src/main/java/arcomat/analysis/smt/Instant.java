@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Where an automaton is at one point of a run, and what it reads there. */
-final class Instant {
+final class Instant implements ReadTerms {
     private final Subject subject;
     private final Component component;
     private final Solver solver;
@@ -40,15 +40,18 @@ final class Instant {
         return solver.equal(state(), solver.number(state));
     }
 
-    Term variable(Variable variable) {
+    @Override
+    public Term variable(Variable variable) {
         return unknown("var " + variable.name() + "@" + number, variable.type());
     }
 
-    Term message(Port port) {
+    @Override
+    public Term message(Port port) {
         return unknown("port " + port.name() + "@" + number, port.type());
     }
 
-    Term has(Port port) {
+    @Override
+    public Term has(Port port) {
         boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
         return timed && port.total() || port.first().isPresent()
                 ? solver.of(true)
@@ -56,14 +59,16 @@ final class Instant {
     }
 
     /** A value that is not modelled: it may be any of its type. */
-    Term anything(Type type) {
+    @Override
+    public Term anything(Type type) {
         Term unknown = unknown("any " + unknowns++ + "@" + number, type);
         solver.claim(codes.range(unknown, type));
         return unknown;
     }
 
     /** A number that claims will define. */
-    Term defined() {
+    @Override
+    public Term defined() {
         return solver.integer("value " + definitions++ + "@" + number);
     }
 

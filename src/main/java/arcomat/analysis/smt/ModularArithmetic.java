@@ -11,7 +11,7 @@ import java.math.BigInteger;
  * Integers that wrap around: a result that does not fit its type is the number that fits and is
  * some turns away, each as long as the type has numbers.
  */
-record ModularArithmetic(Instant at, Solver solver) {
+record ModularArithmetic(ReadTerms at, Solver solver) {
     /** More turns are not told apart one by one. */
     private static final int CASES = 1;
 

@@ -33,7 +33,7 @@ public record Preconditions(
     }
 
     /** One per transition. */
-    static List<Preconditions> of(Component.Profile profile, Automaton automaton) {
+    public static List<Preconditions> of(Component.Profile profile, Automaton automaton) {
         Guards guards = new Guards(profile);
         Negations negations = new Negations(profile, automaton, guards);
         return automaton.transitions().stream()

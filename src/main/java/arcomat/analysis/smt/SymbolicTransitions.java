@@ -32,7 +32,7 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
         this.at = at;
         this.solver = solver;
         this.codes = codes;
-        this.translation = new Translation(subject, at, solver, codes);
+        this.translation = new Translation(ConstantExpressions.of(subject), at, solver, codes);
     }
 
     private List<Transition> transitions() {
@@ -230,7 +230,7 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
             Term equal =
                     solver.equal(translation.term(here), translation.term(second.values().get(i)));
             any.add(
-                    Encoding.isExact(here.type())
+                    codes.isExact(here.type())
                             ? solver.not(equal)
                             : at.anything(new Type.BooleanType()));
         }

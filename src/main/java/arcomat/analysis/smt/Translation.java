@@ -1,16 +1,28 @@
 package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Evaluation;
+import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Scope;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
+import org.jspecify.annotations.Nullable;
+
 import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Expressions at one instant. Integers wrap around: a result that does not fit is the number that
@@ -20,14 +32,18 @@ import java.util.Map;
  */
 final class Translation implements Expression.Cases<Term> {
     private final ConstantExpressions constants;
-    private final Instant at;
+    private final ReadTerms at;
     private final Solver solver;
     private final Encoding codes;
     private final ModularArithmetic modular;
     private final Map<Expression, Term> known = new IdentityHashMap<>();
+    private final Map<List<Object>, Term> unknown = new HashMap<>();
+    private final Set<Expression.Binary> products = new LinkedHashSet<>();
+    private final Set<List<Object>> learnt = new HashSet<>();
+    private final Map<Expression, Term> replaced = new LinkedHashMap<>();
 
-    Translation(Subject subject, Instant at, Solver solver, Encoding codes) {
-        this.constants = new ConstantExpressions(subject);
+    Translation(ConstantExpressions constants, ReadTerms at, Solver solver, Encoding codes) {
+        this.constants = constants;
         this.at = at;
         this.solver = solver;
         this.codes = codes;
@@ -44,18 +60,47 @@ final class Translation implements Expression.Cases<Term> {
         return term;
     }
 
+    /** What was replaced by an unknown value; nothing where all is exact. */
+    Map<Expression, Term> replaced() {
+        return replaced;
+    }
+
+    /** The same for an operation on the same values: that is all which is known of it. */
+    private Term unknown(Object operation, Expression e) {
+        if (!codes.areExact()) {
+            return at.anything(e.type());
+        }
+        List<Term> operands = e.operands().stream().map(this::term).toList();
+        Term term =
+                unknown.computeIfAbsent(
+                        List.of(
+                                operation,
+                                e.type(),
+                                isCommutative(e) ? Set.copyOf(operands) : operands),
+                        each -> at.anything(e.type()));
+        replaced.put(e, term);
+        return term;
+    }
+
+    private static boolean isCommutative(Expression e) {
+        return e instanceof Expression.Binary binary
+                && binary.type().isNumber()
+                && (binary.operator() == BinaryOperator.PLUS
+                        || binary.operator() == BinaryOperator.MULTIPLY);
+    }
+
     @Override
     public Term constant(Expression.Constant constant) {
-        return fixed(constant.value(), constant.type());
+        return fixed(constant.value(), constant);
     }
 
     @Override
     public Term parameterRead(Expression.ParameterRead read) {
-        return fixed(constants.argument(read), read.type());
+        return fixed(constants.argument(read), read);
     }
 
-    private Term fixed(Value value, Type type) {
-        return Encoding.isExact(type) ? codes.encode(value) : at.anything(type);
+    private Term fixed(Value value, Expression e) {
+        return codes.isExact(e.type()) ? codes.encode(value, e.type()) : unknown(value, e);
     }
 
     @Override
@@ -72,7 +117,7 @@ final class Translation implements Expression.Cases<Term> {
 
     @Override
     public Term attributeRead(Expression.AttributeRead read) {
-        return at.anything(read.type());
+        return unknown(read.index(), read);
     }
 
     @Override
@@ -88,10 +133,10 @@ final class Translation implements Expression.Cases<Term> {
 
     @Override
     public Term conditional(Expression.Conditional choice) {
-        return Encoding.isExact(choice.type())
+        return codes.isExact(choice.type())
                 ? solver.choose(
                         term(choice.condition()), term(choice.then()), term(choice.otherwise()))
-                : at.anything(choice.type());
+                : unknown("choice", choice);
     }
 
     @Override
@@ -101,9 +146,12 @@ final class Translation implements Expression.Cases<Term> {
 
     @Override
     public Term cast(Expression.Cast cast) {
+        if (cast.type().equals(cast.operand().type())) {
+            return term(cast.operand());
+        }
         return isInteger(cast.type()) && isInteger(cast.operand().type())
                 ? modular.wrapped(term(cast.operand()), cast)
-                : at.anything(cast.type());
+                : unknown("cast", cast);
     }
 
     /** Characters count as their codes. */
@@ -116,8 +164,21 @@ final class Translation implements Expression.Cases<Term> {
     }
 
     private Term equal(Expression one, Expression two) {
-        boolean exact = Encoding.isExact(one.type()) && Encoding.isExact(two.type());
-        return exact ? solver.equal(term(one), term(two)) : at.anything(new Type.BooleanType());
+        boolean exact = codes.isExact(one.type()) && codes.isExact(two.type());
+        if (!exact || !isAlike(one, two)) {
+            Term unknown = at.anything(new Type.BooleanType());
+            replaced.put(one, unknown);
+            return unknown;
+        }
+        return one.type() instanceof Type.RealType real
+                ? RealCodes.of(real).compared("=", term(one), term(two), solver)
+                : solver.equal(term(one), term(two));
+    }
+
+    /** Whether both are real numbers of the same width, or neither is one. */
+    private static boolean isAlike(Expression one, Expression two) {
+        boolean real = one.type() instanceof Type.RealType || two.type() instanceof Type.RealType;
+        return !real || one.type().equals(two.type());
     }
 
     @Override
@@ -125,12 +186,18 @@ final class Translation implements Expression.Cases<Term> {
         Term operand = term(unary.operand());
         return switch (unary.operator()) {
             case NOT -> solver.not(operand);
-            case NEGATE ->
-                    isInteger(unary.type())
-                            ? modular.wrapped(solver.apply("-", operand), unary)
-                            : at.anything(unary.type());
+            case NEGATE -> negated(operand, unary);
             case COMPLEMENT -> solver.apply("-", solver.apply("-", operand), solver.number(1));
         };
+    }
+
+    private Term negated(Term operand, Expression.Unary negation) {
+        if (isInteger(negation.type())) {
+            return modular.wrapped(solver.apply("-", operand), negation);
+        }
+        return negation.type() instanceof Type.RealType real && codes.isExact(real)
+                ? RealCodes.of(real).negated(operand, solver)
+                : unknown(negation.operator(), negation);
     }
 
     @Override
@@ -143,15 +210,28 @@ final class Translation implements Expression.Cases<Term> {
             case OR -> solver.or(term(binary.left()), term(binary.right()));
             case IMPLIES -> solver.or(solver.not(term(binary.left())), term(binary.right()));
             case EQUIVALENT -> solver.equal(term(binary.left()), term(binary.right()));
-            default -> isInteger(binary.type()) ? arithmetic(binary) : at.anything(binary.type());
+            default ->
+                    isInteger(binary.type())
+                            ? arithmetic(binary)
+                            : unknown(binary.operator(), binary);
         };
     }
 
     /** Models write these operators as SMT-LIB does. */
     private Term comparison(Expression.Binary binary) {
+        if (binary.left().type() instanceof Type.RealType real
+                && codes.isExact(real)
+                && isAlike(binary.left(), binary.right())) {
+            return RealCodes.of(real)
+                    .compared(
+                            binary.operator().sign(),
+                            term(binary.left()),
+                            term(binary.right()),
+                            solver);
+        }
         return isInteger(binary.left().type()) && isInteger(binary.right().type())
                 ? operation(binary)
-                : at.anything(binary.type());
+                : unknown(binary.operator(), binary);
     }
 
     private Term operation(Expression.Binary binary) {
@@ -175,7 +255,8 @@ final class Translation implements Expression.Cases<Term> {
         Term other = term(right ? binary.left() : binary.right());
         List<Long> values = constants.few(factor);
         if (values.isEmpty()) {
-            Term unknown = at.anything(binary.type());
+            Term unknown = unknown(binary.operator(), binary);
+            products.add(binary);
             Interval possible = Interval.of(binary);
             solver.claim(solver.between(possible.low(), unknown, possible.high()));
             return unknown;
@@ -190,6 +271,37 @@ final class Translation implements Expression.Cases<Term> {
             claim(solver.equal(given, solver.number(value)), solver.equal(product, multiple));
         }
         return modular.wrapped(product, binary);
+    }
+
+    /**
+     * Claims what products really are, for the value that the left factor has in an example: then
+     * they are linear.
+     *
+     * @return that the factors have these values; empty where there was nothing to learn
+     */
+    List<Term> learn(Scope scope, Value[] example) {
+        List<Term> learned = new ArrayList<>();
+        for (Expression.Binary each : List.copyOf(products)) {
+            Value factor = factor(each, scope, example);
+            if (factor != null && learnt.add(List.of(each, factor))) {
+                Expression given = new Expression.Constant(factor, each.left().type(), each.span());
+                Expression linear =
+                        new Expression.Binary(
+                                each.operator(), given, each.right(), each.type(), each.span());
+                Term isGiven = solver.equal(term(each.left()), term(given));
+                claim(isGiven, solver.equal(term(each), term(linear)));
+                learned.add(isGiven);
+            }
+        }
+        return learned;
+    }
+
+    private static @Nullable Value factor(Expression.Binary product, Scope scope, Value[] example) {
+        try {
+            return Evaluation.compile(product.left(), scope).evaluate(example, new Value[0]);
+        } catch (Fault divisionByZero) {
+            return null;
+        }
     }
 
     private record Division(Term quotient, Term rest) {}
@@ -229,7 +341,7 @@ final class Translation implements Expression.Cases<Term> {
 
     /** Of a divisor with too many values: never larger than the dividend, whatever the sign. */
     private Term someQuotient(Expression.Binary binary) {
-        Term quotient = at.anything(binary.type());
+        Term quotient = unknown("quotient", binary);
         Term dividend = term(binary.left());
         Term opposite = solver.apply("-", dividend);
         solver.claim(
@@ -244,7 +356,7 @@ final class Translation implements Expression.Cases<Term> {
      * divisor.
      */
     private Term someRemainder(Expression.Binary binary) {
-        Term rest = at.anything(binary.type());
+        Term rest = unknown("rest", binary);
         Term dividend = term(binary.left());
         Term divisor = term(binary.right());
         Term zero = solver.number(0);

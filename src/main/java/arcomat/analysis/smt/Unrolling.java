@@ -38,7 +38,7 @@ final class Unrolling {
         this.subject = subject;
         this.begins = begins;
         this.solver = new Solver(stop);
-        this.codes = new Encoding(solver);
+        this.codes = new Encoding(solver, false);
     }
 
     /** Makes the runs one letter longer; at first, they have none. */
@@ -72,9 +72,11 @@ final class Unrolling {
         all.add(first.isIn(start.configuration().state()));
         List<Variable> variables = subject.automaton().variables();
         for (int i = 0; i < variables.size(); i++) {
-            if (Encoding.isExact(variables.get(i).type())) {
+            if (codes.isExact(variables.get(i).type())) {
                 Term code = first.variable(variables.get(i));
-                Term value = codes.encode(start.configuration().variables().get(i));
+                Term value =
+                        codes.encode(
+                                start.configuration().variables().get(i), variables.get(i).type());
                 all.add(solver.equal(code, value));
             }
         }

@@ -1,0 +1,51 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Expression;
+import arcomat.model.Value;
+import arcomat.semantics.expression.PartialEvaluation;
+
+import java.util.Optional;
+
+/**
+ * Something about the messages of a letter that decides what the steps with it are: letters that
+ * agree in all facts have the same steps, but for messages that they send on.
+ */
+sealed interface DataFact {
+    /** A condition. */
+    Expression when();
+
+    /** Whether it depends on messages that are not known yet. */
+    boolean isOpen();
+
+    /** Whether the condition is true. */
+    record Holds(Expression when) implements DataFact {
+        @Override
+        public boolean isOpen() {
+            return !isKnown(when);
+        }
+    }
+
+    /** Whether the condition is true, and two things that are sent then are the same message. */
+    record Same(Expression when, Expression one, Expression two) implements DataFact {
+        @Override
+        public boolean isOpen() {
+            return !isFalse(when) && !one.equals(two) && !(isKnown(one) && isKnown(two));
+        }
+    }
+
+    /** Whether the condition is true, and which value is stored then. */
+    record Stored(Expression when, Expression value) implements DataFact {
+        @Override
+        public boolean isOpen() {
+            return !isFalse(when) && !isKnown(value);
+        }
+    }
+
+    private static boolean isKnown(Expression e) {
+        return PartialEvaluation.value(e).isPresent();
+    }
+
+    private static boolean isFalse(Expression when) {
+        return PartialEvaluation.value(when).equals(Optional.of(new Value.BooleanValue(false)));
+    }
+}

@@ -1,0 +1,70 @@
+package arcomat.analysis.refinement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.Replay;
+import arcomat.analysis.automaton.InstalledZ3;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.model.Model;
+import arcomat.models.ReadModels;
+import arcomat.source.SourceFile;
+
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Questions about Integers, Doubles and Strings without an end, beside Z3, which is told of vectors
+ * of bits and of floating point: nothing may be decided otherwise, and little may stay open.
+ */
+class UnboundedDataTest {
+    private static final int QUESTIONS = 40;
+
+    private final List<String> open = new ArrayList<>();
+    private int holds;
+    private int fails;
+    private int compared;
+
+    @Test
+    void decidesAsZ3Does() {
+        Assumptions.assumeTrue(InstalledZ3.isThere(), "no program 'z3'");
+        for (int seed = 0; seed < QUESTIONS; seed++) {
+            ask(seed);
+        }
+        assertThat(open).hasSizeLessThanOrEqualTo(QUESTIONS / 20);
+        assertThat(holds).isGreaterThan(QUESTIONS / 4);
+        assertThat(fails).isGreaterThan(QUESTIONS / 10);
+        assertThat(compared).isGreaterThan(QUESTIONS * 3 / 4);
+    }
+
+    private void ask(int seed) {
+        RandomQuestion question = new RandomQuestion(seed);
+        List<String> texts = question.models();
+        Model model =
+                ReadModels.model(
+                        new SourceFile("Left.arc", texts.get(0)),
+                        new SourceFile("Right.arc", texts.get(1)));
+        Promise left = Promise.of(model.component("Left").orElseThrow(), List.of());
+        Promise right = Promise.of(model.component("Right").orElseThrow(), List.of());
+        Verdict verdict = Refinement.check(left, right, new Budget(() -> false, 10_000));
+        String about = "seed " + seed + ": " + String.join("\n", texts);
+        if (verdict.answer() == Answer.UNKNOWN) {
+            open.add(seed + ": " + verdict.reason());
+            return;
+        }
+        boolean yes = verdict.answer() == Answer.HOLDS;
+        holds += yes ? 1 : 0;
+        fails += yes ? 0 : 1;
+        if (!yes) {
+            Replay.check(left, right, verdict);
+        }
+        Boolean truth = question.holds(InstalledZ3::answers);
+        if (truth != null) {
+            compared++;
+            assertThat(yes).as(about).isEqualTo(truth);
+        }
+    }
+}
