@@ -32,8 +32,8 @@ component Compute {
   int sum;
 
   compute {
-//~~~~~~~ warning ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
     count = next(sum);
+//          ~~~~~~~~~ warning ARC0127: 'next(sum)' cannot stand here in statements, so all of 'compute' is taken for Java, which is not run; correct it, describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
   }
 }
 

@@ -97,3 +97,29 @@ component Wrong {
 //  ~ error ARC0307: nothing can be written to input port 'i': it only receives; name an output port or a variable
   }
 }
+
+//// Base.arc
+component Base {
+  port in Integer i, out Integer o;
+
+  automaton {
+    state s;
+    initial s;
+    s {i == ?} / {o = i};
+  }
+}
+
+//// Heir.arc
+component Heir extends Base {
+  <<completion = "ignore">> compute {
+//                          ~~~~~~~ error ARC0143: 'compute' says all that component 'Heir' does, but it inherits what 'Base' does; write one of the two
+    o = i;
+  }
+}
+
+//// GoodHeir.arc
+component GoodHeir extends GoodWithoutStart {
+  <<completion = "ignore">> compute {
+    o = 2;
+  }
+}

@@ -56,3 +56,22 @@ component Good {
   connect level -> motor.level;
   connect mug -> motor.mug;
 }
+
+//// OfJava.arc
+import java.util.*;
+component OfJava {
+  port in List<String> texts, in List<Integer> numbers, in Object any, out List<Map<String, Integer>> maps;
+
+  component Generic<K, V> {
+    port in List<K> one, in List<K> two, in K three, out List<Map<K, V>> four;
+  }
+
+  component Generic<String, Integer> part;
+
+  connect texts -> part.one;
+  connect numbers -> part.two;
+//                   ~~~~~~~~ error ARC0106: 'numbers' sends List<Integer>, but 'part.two' receives List<String>; make the types equal, or put a component in between
+  connect any -> part.three;
+//               ~~~~~~~~~~ error ARC0106: 'any' sends Object, but 'part.three' receives String; make the types equal, or put a component in between
+  connect part.four -> maps;
+}

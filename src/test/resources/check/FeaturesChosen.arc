@@ -66,7 +66,29 @@ component GoodHeir extends Lamp(dimmer = true, alarm = false) {
 
 //// Refiner.arc
 component Refiner refines Lamp {
-//                        ~~~~ error ARC0152: 'Lamp' has features, and nobody chooses them here; refine a component without
+//                        ~~~~ error ARC0152: choose 'dimmer', 'alarm' of 'Lamp': write dimmer = true, alarm = true, or false in parentheses behind it
+  port in Boolean press, in Integer level;
+}
+
+//// GoodRefiner.arc
+component GoodRefiner refines Lamp(dimmer = rich, alarm = false), Plain {
+  feature rich;
+  port in Boolean press;
+  varif (rich) {
+    port in Integer level;
+  }
+}
+
+//// Plain.arc
+component Plain(Integer step = 1) {
+  port in Boolean press;
+}
+
+//// BadRefiner.arc
+component BadRefiner refines Lamp(dimmer = rich, alarm = true), Plain(3) {
+//                           ~~~~ error ARC0152: (dimmer = false, alarm = true) breaks a constraint of 'Lamp'; choose others (in BadRefiner(rich = false))
+//                                                                    ~ error ARC0152: behind 'refines' arguments choose features, and this chooses none of 'Plain'; delete it
+  feature rich;
   port in Boolean press, in Integer level;
 }
 

@@ -4,7 +4,7 @@ component Bad {
   java inv code: { return true; };
 //         ~~~~ warning ARC0132: invariant 'code' is not looked at by any command: it is written in 'java'
   ocl inv sets: forall x in level: x > 0;
-//        ~~~~ warning ARC0132: invariant 'sets' is not looked at by any command: it is not an expression of models
+//        ~~~~ warning ARC0132: invariant 'sets' is not looked at by any command: there is no array and no type 'level'
   ocl inv typo: shwon > 0;
 //        ~~~~ warning ARC0132: invariant 'typo' is not looked at by any command: 'shwon' is not a port, a variable or a parameter; did you mean 'shown'?
   ocl inv number: level + shown;

@@ -84,3 +84,20 @@ testsuite NoEchoTest for NoEcho {
 //                           ~~~~~~ error ARC0329: there is no class 'Cup' here; import it or correct the name
   }
 }
+
+//// robot/Heir.arc
+package robot;
+
+import robot.Types.Distance;
+
+component Heir extends Missing {
+//                     ~~~~~~~ error ARC0111: there is no component 'Missing'; declare or import it
+  port in Distance near, out Boolean drive;
+
+  automaton {
+    state driving;
+    initial driving;
+    driving [seen > 2 && Distance.toClose == near] {heard == 1} / {drive = told};
+//                                ~~~~~~~ error ARC0329: Distance has no constant 'toClose'; did you mean 'tooClose'?
+  }
+}

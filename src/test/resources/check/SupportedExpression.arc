@@ -42,6 +42,22 @@ component Creates {
     state creating;
     initial creating;
     creating {i == true} / {o = new String("a")};
-//                              ~~~~~~~~~~~~~~~ error ARC0319: 'new String("a")' is Java, not an expression of models; use literals, names and operators
+//                              ~~~~~~~~~~~~~~~ error ARC0319: 'new String("a")' makes an object, and models make none; have a <<platform>> component make it and send it over a port
+  }
+}
+
+//// Looks.arc
+import java.util.List;
+
+component Looks {
+  port in List<String> names, out Boolean many, out List<String> first;
+
+  automaton {
+    state only;
+    initial only;
+    only [names.size() > 1] / {many = true};
+//        ~~~~~~~~~~~~ error ARC0319: nobody looks into a message of type List<String>, so 'size' cannot be called; compute the value in a <<platform>> component and send it over a port
+    only [names.equals(names)] / {first = names};
+//        ~~~~~~~~~~~~~~~~~~~ error ARC0319: models call no methods; compare with '==' instead of 'equals'
   }
 }

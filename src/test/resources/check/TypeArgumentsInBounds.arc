@@ -38,3 +38,34 @@ component Good<U extends Mug> {
   connect mug -> washer.i;
   connect other -> second.i;
 }
+
+//// p/OfJava.arc
+package p;
+import java.util.List;
+component OfJava {
+  port in Integer number, in String text, in List<String> list;
+
+  component Adder<T extends Number> {
+    port in T i;
+  }
+
+  component Sorter<T extends Comparable<T>> {
+    port in T i;
+  }
+
+  component Keeper<T extends List<String>> {
+    port in T i;
+  }
+
+  component Adder<Integer> one;
+  component Adder<String> two;
+//                ~~~~~~ error ARC0116: type argument 'String' is outside the bound of 'T extends Number'; use a type that fits it
+  component Sorter<String> three;
+  component Keeper<List<String>> four;
+  component Keeper<Integer> five;
+//                 ~~~~~~~ error ARC0116: type argument 'Integer' is outside the bound of 'T extends List<String>'; use a type that fits it
+
+  connect number -> one.i, five.i;
+  connect text -> two.i, three.i;
+  connect list -> four.i;
+}

@@ -21,12 +21,12 @@ import q.Types.*;
 import java.util.List;
 component Bad<T>(Intger size = 3) {
 //               ~~~~~~ error ARC0120: there is no type 'Intger'; did you mean 'Integer'?
-  port in Cmd cmd, in Intger power, in Boolean[] many, in List<Integer> list, in Integer<T> odd;
+  port in Cmd cmd, in Intger power, in Boolean[] many, in List<Integer, T> list, in Integer<T> odd;
 //        ~~~ error ARC0120: 'Cmd' could mean several types; write the full name of one
 //                    ~~~~~~ error ARC0120: there is no type 'Intger'; did you mean 'Integer'?
 //                                     ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; arrays cannot be messages; use one port per element
-//                                                        ~~~~~~~~~~~~~ error ARC0120: 'List' is no message type; classes of the Java library cannot be messages; define a class or an enum in a class diagram
-//                                                                               ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; only components take type arguments; use the type without them
+//                                                        ~~~~~~~~~~~~~~~~ error ARC0120: 'List<Integer, T>' is no message type; java.util.List takes 1 type argument
+//                                                                                  ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; only components take type arguments; use the type without them
   port in T t, out Boolean[0..3] bits;
 //                        ~~~~~~ error ARC0332: only whole number types have ranges
 
@@ -63,4 +63,48 @@ component Clause {
 //~~~~~~ error ARC0120: there is no type 'timimg'; did you mean 'timing'?
   autoconect port;
 //~~~~~~~~~~ error ARC0120: there is no type 'autoconect'; did you mean 'autoconnect'?
+}
+
+//// j/OfJava.arc
+package j;
+import java.util.*;
+import java.awt.Color;
+component OfJava {
+  port in List<int> numbers, in Map<String, Lst> map, in Object<String> object, in List<Boolean[]> rows;
+//        ~~~~~~~~~ error ARC0120: 'List<int>' is no message type; type arguments are types of objects; write Integer instead of int, without a range
+//                                          ~~~ error ARC0120: there is no type 'Lst'; define it in a class diagram, or import it
+//                                                       ~~~~~~~~~~~~~~ error ARC0120: 'Object<String>' is no message type; java.lang.Object takes no type arguments
+//                                                                                      ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; arrays cannot be messages; use one port per element
+  port in java.util.Lists lists, in Color colour, in java.time.DayOfWeek day, in List<Integer[0..3]> small;
+//        ~~~~~~~~~~~~~~~ error ARC0120: 'java.util.Lists' is no message type; it is not known here; write 'type Lists;' in a class diagram
+//                                  ~~~~~ error ARC0120: 'java.awt.Color' is no message type; it is not known here; write 'type Color;' in a class diagram
+//                                                   ~~~~~~~~~~~~~~~~~~~ error ARC0120: 'java.time.DayOfWeek' is no message type; it has few values, which models have to know; define an enum in a class diagram
+//                                                                               ~~~~~~~~~~~~~~~~~~~ error ARC0120: 'List<Integer[0..3]>' is no message type; type arguments are types of objects; write Integer instead of int, without a range
+  port in Object anything, in Map.Entry<String, ? extends Number> entry, in List raw, in List<?> some;
+}
+
+//// k/Unknown.arc
+package k;
+import java.awt.*;
+component Unknown {
+  port in Colour colour;
+//        ~~~~~~ error ARC0120: there is no type 'Colour'; define it in a class diagram, or import it
+}
+
+//// k/Thread.arc
+package k;
+component Thread {
+  port in Boolean on;
+}
+
+//// k/Hidden.arc
+package k;
+component Hidden {
+  port in Thread one, in Process two;
+//        ~~~~~~ error ARC0120: there is no type 'Thread'; a component is no type of messages
+//               ~~~ warning ARC0108: input 'one' leads to no part; connect it
+//                       ~~~~~~~ error ARC0120: there is no type 'Process'; define it in a class diagram, or import it
+//                               ~~~ warning ARC0108: input 'two' leads to no part; connect it
+  component Process {
+  }
 }

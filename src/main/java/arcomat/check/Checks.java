@@ -2,6 +2,7 @@ package arcomat.check;
 
 import arcomat.check.guest.GuestLaws;
 import arcomat.check.guest.GuestReview;
+import arcomat.check.guest.ReadBehaviours;
 import arcomat.check.law.Law;
 import arcomat.check.law.Law.Needs;
 import arcomat.check.law.Profile;
@@ -14,6 +15,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Outline;
+import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -63,22 +65,11 @@ public final class Checks {
         List<Consumer<Walk>> steps = Walk.steps(workspace, wanted);
         Stream<Consumer<Walk>> stream =
                 steps.size() > WORTH_A_SECOND_THREAD ? steps.parallelStream() : steps.stream();
-        Walk walk =
-                stream.collect(
-                        Collector.of(
-                                () ->
-                                        new Walk(
-                                                workspace,
-                                                profile,
-                                                new Listeners(book.own(), profile)),
-                                (each, step) -> {
-                                    goOn.run();
-                                    step.accept(each);
-                                },
-                                Walk::join));
-        List<Diagnostic> found = new ArrayList<>();
-        walk.findings().forEach(each -> found.addAll(each.diagnostics()));
+        Walk walk = walk(stream, book, workspace, profile, goOn);
+        List<Diagnostic> found = found(walk);
         if (!book.guests().isEmpty()) {
+            found.addAll(
+                    ReadBehaviours.by(book.guests()).findings(workspace, profile, wanted, goOn));
             ForeignText foreign = ForeignText.in(workspace);
             found.replaceAll(foreign::withoutRepair);
         }
@@ -91,7 +82,48 @@ public final class Checks {
                 asked.addAll(guest.laws());
             }
         }
-        Suppressions suppressions = walk.suppressions();
+        return review(workspace, profile, walk.suppressions(), found, asked);
+    }
+
+    /**
+     * The same by the tool's own laws and without a further thread, for where there is none, as in
+     * a browser.
+     */
+    public static Review reviewAlone(
+            Workspace workspace, Profile profile, Predicate<Unit> wanted, Runnable goOn) {
+        Stream<Consumer<Walk>> steps = Walk.steps(workspace, wanted).stream();
+        Walk walk = walk(steps, LawBook.OWN, workspace, profile, goOn);
+        return review(workspace, profile, walk.suppressions(), found(walk), LawBook.OWN.own());
+    }
+
+    private static Walk walk(
+            Stream<Consumer<Walk>> steps,
+            LawBook book,
+            Workspace workspace,
+            Profile profile,
+            Runnable goOn) {
+        return steps.collect(
+                Collector.of(
+                        () -> new Walk(workspace, profile, new Listeners(book.own(), profile)),
+                        (each, step) -> {
+                            goOn.run();
+                            step.accept(each);
+                        },
+                        Walk::join));
+    }
+
+    private static List<Diagnostic> found(Walk walk) {
+        List<Diagnostic> found = new ArrayList<>();
+        walk.findings().forEach(each -> found.addAll(each.diagnostics()));
+        return found;
+    }
+
+    private static Review review(
+            Workspace workspace,
+            Profile profile,
+            Suppressions suppressions,
+            List<Diagnostic> found,
+            List<Law> asked) {
         Set<Suppression> used = new HashSet<>();
         found.forEach(finding -> used.addAll(suppressions.covering(finding)));
         List<Diagnostic> all = new ArrayList<>(found);
@@ -120,8 +152,37 @@ public final class Checks {
         if (files.isEmpty()) {
             return new Review(List.of(), List.of());
         }
-        List<Unit> parts = files.stream().map(Recovered::unit).toList();
-        Workspace around = Workspace.around(parts, units, brokenFiles, others);
+        Workspace around =
+                Workspace.around(parts(files), units, brokenFiles, others, book.reader());
+        Set<String> paths = paths(files);
+        Review all =
+                review(book, around, profile, unit -> paths.contains(unit.file().path()), () -> {});
+        return sure(all, files, book);
+    }
+
+    /** The same by the tool's own laws and without a further thread. */
+    public static Review reviewRecoveredAlone(
+            List<Recovered> files, List<Unit> units, Set<String> brokenFiles, Profile profile) {
+        if (files.isEmpty()) {
+            return new Review(List.of(), List.of());
+        }
+        Workspace around =
+                Workspace.around(parts(files), units, brokenFiles, List.of(), BehaviourReader.NONE);
+        Set<String> paths = paths(files);
+        Predicate<Unit> wanted = unit -> paths.contains(unit.file().path());
+        return sure(reviewAlone(around, profile, wanted, () -> {}), files, LawBook.OWN);
+    }
+
+    private static List<Unit> parts(List<Recovered> files) {
+        return files.stream().map(Recovered::unit).toList();
+    }
+
+    private static Set<String> paths(List<Recovered> files) {
+        return files.stream().map(each -> each.unit().file().path()).collect(Collectors.toSet());
+    }
+
+    /** What would be found as well if the files could be read as a whole. */
+    private static Review sure(Review all, List<Recovered> files, LawBook book) {
         Map<String, Needs> needs =
                 book.all().stream().collect(Collectors.toMap(Law::code, Law::needs));
         Map<String, SureFindings> sureOf = new HashMap<>();
@@ -131,13 +192,6 @@ public final class Checks {
                         Optional.ofNullable(sureOf.get(finding.span().file().path()))
                                 .filter(those -> those.contains(finding))
                                 .isPresent();
-        Review all =
-                review(
-                        book,
-                        around,
-                        profile,
-                        unit -> sureOf.containsKey(unit.file().path()),
-                        () -> {});
         return new Review(
                 all.findings().stream().filter(sure).toList(),
                 all.suppressed().stream().filter(each -> sure.test(each.finding())).toList());

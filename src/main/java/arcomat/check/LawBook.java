@@ -16,6 +16,7 @@ import arcomat.check.structure.connector.ConnectorLaws;
 import arcomat.check.structure.feature.FeatureLaws;
 import arcomat.check.structure.reference.ReferenceLaws;
 import arcomat.check.tests.TestLaws;
+import arcomat.symbols.signatures.BehaviourReader;
 
 import java.util.HashSet;
 import java.util.List;
@@ -68,6 +69,16 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
     public List<Law> all() {
         return Stream.concat(own.stream(), guests.stream().flatMap(each -> each.laws().stream()))
                 .toList();
+    }
+
+    /** Who reads behaviours in languages of guests, where names have to be known for that. */
+    public BehaviourReader reader() {
+        return guests.isEmpty()
+                ? BehaviourReader.NONE
+                : (behaviour, around) ->
+                        guests.stream()
+                                .flatMap(each -> each.reader().read(behaviour, around).stream())
+                                .findFirst();
     }
 
     /** What the guest that has this code says about it, in Markdown. */

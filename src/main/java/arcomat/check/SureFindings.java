@@ -6,20 +6,15 @@ import arcomat.source.Span;
 import arcomat.tree.Recovered;
 
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
 /**
  * What may be said of the parts that could be read of a file with syntax errors: only what would
  * still be true if the gaps were filled.
  */
 final class SureFindings {
-    private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
-
     /** A connector, a transition or a row of a table: they have an arrow. */
     private static final Pattern ARROW = Pattern.compile("->|=>");
 
@@ -63,10 +58,27 @@ final class SureFindings {
 
     /** As they are, and as what is called after them: a type {@code Light} makes a port light. */
     private static Set<String> words(Span span) {
-        return WORD.matcher(span.text())
-                .results()
-                .map(MatchResult::group)
-                .map(word -> word.substring(0, 1).toLowerCase(Locale.ROOT) + word.substring(1))
-                .collect(Collectors.toSet());
+        Set<String> words = new HashSet<>();
+        String text = span.text();
+        for (int start = 0; start < text.length(); start++) {
+            int end = start;
+            while (end < text.length() && isOfName(text.charAt(end))) {
+                end++;
+            }
+            if (end > start) {
+                words.add(
+                        Character.toLowerCase(text.charAt(start)) + text.substring(start + 1, end));
+                start = end;
+            }
+        }
+        return words;
+    }
+
+    /**
+     * Numbers count as names here, and are none that is missing. No classes of letters: browsers do
+     * without.
+     */
+    private static boolean isOfName(char letter) {
+        return Character.isLetterOrDigit(letter) || letter == '_' || letter == '$';
     }
 }

@@ -41,7 +41,10 @@ final class ActionLowering implements ActionSymbol.Cases<List<ActionPath>> {
         List<ActionPath> paths = before;
         for (ActionSymbol each : sequence.actions()) {
             paths = each.match(new ActionLowering(known, paths));
-            known = each instanceof ActionSymbol.Declare declare ? with(declare, known) : known;
+            known =
+                    each instanceof ActionSymbol.Declare declare
+                            ? known.withVariables(variables(declare, known))
+                            : known;
         }
         return paths;
     }
@@ -108,27 +111,22 @@ final class ActionLowering implements ActionSymbol.Cases<List<ActionPath>> {
     @Override
     public List<ActionPath> declare(ActionSymbol.Declare declare) {
         List<ActionPath> paths = before;
-        Environment known = environment;
-        for (ActionSymbol.Local local : declare.locals()) {
-            Variable variable = variable(local, known);
+        for (Variable variable : variables(declare, environment)) {
             paths =
                     paths.stream()
                             .map(path -> path.assigning(variable, variable.initial(), true))
                             .toList();
-            known = known.withVariables(List.of(variable));
         }
         return paths;
     }
 
-    private static Environment with(ActionSymbol.Declare declare, Environment environment) {
-        Environment known = environment;
+    /** Each may be computed from those before it. */
+    private static List<Variable> variables(ActionSymbol.Declare declare, Environment environment) {
+        List<Variable> variables = new ArrayList<>();
         for (ActionSymbol.Local local : declare.locals()) {
-            known = known.withVariables(List.of(variable(local, known)));
+            Environment known = environment.withVariables(variables);
+            variables.addAll(VariableLowering.lower(List.of(local.variable()), known));
         }
-        return known;
-    }
-
-    private static Variable variable(ActionSymbol.Local local, Environment environment) {
-        return VariableLowering.lower(List.of(local.variable()), environment).get(0);
+        return variables;
     }
 }

@@ -4,15 +4,21 @@ import arcomat.model.Type;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.RangeType;
 import arcomat.symbols.names.TypeSymbol;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Types of the text as types of the model. */
 final class TypeLowering {
+    /** What tells messages apart of which nothing is known: a text, which no model reads. */
+    private static final List<Type.Attribute> NAMED =
+            List.of(new Type.Attribute(OpaqueSymbol.NAME, new Type.StringType()));
+
     private TypeLowering() {}
 
     /** Type parameters must have been replaced before. */
@@ -38,8 +44,16 @@ final class TypeLowering {
         if (type instanceof ClassSymbol object) {
             return object(object);
         }
+        return named(type);
+    }
+
+    /** A type of which nothing but its name is known. */
+    private static Type.ClassType named(TypeSymbol type) {
         if (type instanceof OpaqueSymbol opaque) {
-            return opaque(opaque);
+            return new Type.ClassType(opaque.qualifiedName(), NAMED);
+        }
+        if (type instanceof JavaType java) {
+            return new Type.ClassType(java(java), NAMED);
         }
         throw new IllegalStateException("no type of the model: " + type.text());
     }
@@ -56,11 +70,18 @@ final class TypeLowering {
         return new Type.ClassType(symbol.qualifiedName(), attributes);
     }
 
-    /** Its messages differ in one text, which no model reads. */
-    private static Type.ClassType opaque(OpaqueSymbol symbol) {
-        return new Type.ClassType(
-                symbol.qualifiedName(),
-                List.of(new Type.Attribute(OpaqueSymbol.NAME, new Type.StringType())));
+    private static Type.JavaClass java(JavaType type) {
+        return new Type.JavaClass(
+                type.qualifiedName(),
+                type.arguments().stream().map(TypeLowering::argument).toList());
+    }
+
+    private static Type.JavaArgument argument(JavaType.Argument argument) {
+        return new Type.JavaArgument(
+                argument.bound().words(),
+                argument.bound() == JavaType.Bound.ANY
+                        ? Optional.empty()
+                        : Optional.of(lower(argument.type())));
     }
 
     private static Type builtin(BuiltinType type) {

@@ -1,6 +1,8 @@
 package arcomat.model;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** The type of a message, a variable or an expression. */
 public sealed interface Type {
@@ -223,15 +225,36 @@ public sealed interface Type {
         }
     }
 
-    /** A class of a class diagram; {@code name} is qualified, inherited attributes come first. */
-    record ClassType(String name, List<Attribute> attributes) implements Type {
+    /**
+     * A class of a class diagram; {@code name} is qualified, inherited attributes come first.
+     *
+     * @param java the class of Java that it stands for; nobody reads the attributes then, which
+     *     tell messages apart
+     */
+    record ClassType(String name, List<Attribute> attributes, Optional<JavaClass> java)
+            implements Type {
         public ClassType {
             attributes = List.copyOf(attributes);
         }
 
+        public ClassType(String name, List<Attribute> attributes) {
+            this(name, attributes, Optional.empty());
+        }
+
+        /** A class of Java, whose messages differ in values of these attributes. */
+        public ClassType(JavaClass java, List<Attribute> attributes) {
+            this(java.text(), attributes, Optional.of(java));
+        }
+
+        /** With type arguments, if it has some. */
         @Override
         public String simpleName() {
-            return name.substring(name.lastIndexOf('.') + 1);
+            return name.replaceAll("[\\w$]+\\.", "");
+        }
+
+        /** The qualified name, without type arguments. */
+        public String className() {
+            return java.map(JavaClass::name).orElse(name);
         }
 
         @Override
@@ -252,4 +275,33 @@ public sealed interface Type {
     }
 
     record Attribute(String name, Type type) {}
+
+    /**
+     * A class of the Java library.
+     *
+     * @param name qualified
+     * @param arguments empty for a class that takes none, or that is named without them
+     */
+    record JavaClass(String name, List<JavaArgument> arguments) {
+        public JavaClass {
+            arguments = List.copyOf(arguments);
+        }
+
+        /** As models and Java write it, with full names: {@code java.util.List<Integer>}. */
+        String text() {
+            return arguments.isEmpty()
+                    ? name
+                    : arguments.stream()
+                            .map(each -> each.words() + each.type().map(Type::name).orElse(""))
+                            .collect(Collectors.joining(", ", name + "<", ">"));
+        }
+    }
+
+    /**
+     * A type argument.
+     *
+     * @param words what stands in front of the type, {@code ? extends}, with a space behind it
+     * @param type empty for any
+     */
+    record JavaArgument(String words, Optional<Type> type) {}
 }

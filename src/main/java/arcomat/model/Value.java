@@ -119,8 +119,32 @@ public sealed interface Value extends Comparable<Value> {
         @Override
         public int compareTo(Value other) {
             return other instanceof RealValue number
-                    ? Double.compare(value, number.value)
+                    ? order(value, number.value)
                     : Value.super.compareTo(other);
+        }
+
+        /**
+         * Two zeros are two values, and what is no number is one, as Java has it for records. Said
+         * here, since a browser takes the zeros for one: then a component that sends the wrong one
+         * keeps its promise.
+         */
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof RealValue number && order(value, number.value) == 0;
+        }
+
+        @Override
+        public int hashCode() {
+            return Long.hashCode(Double.doubleToLongBits(value));
+        }
+
+        private static int order(double one, double other) {
+            if (one < other) {
+                return -1;
+            }
+            return one > other
+                    ? 1
+                    : Long.compare(Double.doubleToLongBits(one), Double.doubleToLongBits(other));
         }
     }
 
@@ -189,7 +213,11 @@ public sealed interface Value extends Comparable<Value> {
         public String toString() {
             return attributes.stream()
                     .map(Value::toString)
-                    .collect(Collectors.joining(", ", type.simpleName() + "(", ")"));
+                    .collect(Collectors.joining(", ", simpleName() + "(", ")"));
+        }
+
+        private String simpleName() {
+            return type.className().substring(type.className().lastIndexOf('.') + 1);
         }
 
         @Override

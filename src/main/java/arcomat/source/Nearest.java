@@ -13,10 +13,11 @@ public final class Nearest {
 
     /**
      * The candidate that a name was most likely meant to be; empty if none is close or two are
-     * equally close. Close is: one edit in three letters, letter case aside.
+     * equally close. Close is: one edit in three letters, letter case aside. No element of an array
+     * is meant by another one.
      */
     public static Optional<String> to(String name, Collection<String> candidates) {
-        if (candidates.size() > MOST_CANDIDATES) {
+        if (candidates.size() > MOST_CANDIDATES || ArrayNames.hint(name, candidates).isPresent()) {
             return Optional.empty();
         }
         String best = null;
@@ -36,8 +37,12 @@ public final class Nearest {
         return unique ? Optional.ofNullable(best) : Optional.empty();
     }
 
-    /** {@code "; did you mean 'x'?"}, or nothing. */
+    /** {@code "; did you mean 'x'?"}, what there is of an array, or nothing. */
     public static String hint(String name, Collection<String> candidates) {
+        Optional<String> ofArray = ArrayNames.hint(name, candidates);
+        if (ofArray.isPresent()) {
+            return ofArray.get();
+        }
         return to(name, candidates).map(n -> "; did you mean '" + n + "'?").orElse("");
     }
 

@@ -17,6 +17,7 @@ import arcomat.symbols.names.Names;
 import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.ClassDiagram;
 import arcomat.tree.Definition;
@@ -50,9 +51,15 @@ public final class Workspace {
     private final List<Outline> others;
     private final Lazy<List<Outline>> outlines = new Lazy<>(this::allOutlines);
     private final Delays delays = new Delays();
+    private final BehaviourReader reader;
 
     private Workspace(
-            List<Unit> units, List<Unit> unseen, Set<String> brokenFiles, List<Outline> others) {
+            List<Unit> units,
+            List<Unit> unseen,
+            Set<String> brokenFiles,
+            List<Outline> others,
+            BehaviourReader reader) {
+        this.reader = reader;
         this.complete = brokenFiles.isEmpty();
         this.units = List.copyOf(units);
         this.others = List.copyOf(others);
@@ -67,7 +74,7 @@ public final class Workspace {
      *     excused
      */
     public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
-        return of(units, brokenFiles, List.of());
+        return of(units, brokenFiles, List.of(), BehaviourReader.NONE);
     }
 
     /**
@@ -75,9 +82,14 @@ public final class Workspace {
      * where no file of the part refers to them.
      *
      * @param brokenFiles as above, those of the other part included
+     * @param reader of behaviours that are not read yet
      */
-    public static Workspace of(List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
-        return new Workspace(units, List.of(), brokenFiles, others);
+    public static Workspace of(
+            List<Unit> units,
+            Set<String> brokenFiles,
+            List<Outline> others,
+            BehaviourReader reader) {
+        return new Workspace(units, List.of(), brokenFiles, others, reader);
     }
 
     /**
@@ -87,8 +99,12 @@ public final class Workspace {
      * @param recovered such files, which are among the broken ones
      */
     public static Workspace around(
-            List<Unit> recovered, List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
-        return new Workspace(units, recovered, brokenFiles, others);
+            List<Unit> recovered,
+            List<Unit> units,
+            Set<String> brokenFiles,
+            List<Outline> others,
+            BehaviourReader reader) {
+        return new Workspace(units, recovered, brokenFiles, others, reader);
     }
 
     /** Whether every file has a tree, so that nothing is excused. */
@@ -114,7 +130,7 @@ public final class Workspace {
     /** Makes the symbol of a component, then those of the components inside it. */
     private ComponentSymbol add(ComponentDeclaration declaration, boolean seen) {
         Signature signature = new Signature(declaration, signatures::get);
-        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get);
+        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get, reader);
         signatures.put(declaration, signature);
         symbols.put(signature, symbol);
         components.add(symbol);
@@ -130,7 +146,7 @@ public final class Workspace {
     /** Found by its name with its features, and nowhere where components are listed as written. */
     private void addConfiguration(ComponentDeclaration declaration) {
         Signature signature = new Signature(declaration, signatures::get);
-        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get);
+        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get, reader);
         signatures.put(declaration, signature);
         symbols.put(signature, symbol);
         configured.add(symbol);

@@ -37,6 +37,7 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
                     "enum",
                     "interface",
                     "testsuite",
+                    "varif",
                     "test",
                     "input",
                     "expect",
@@ -119,6 +120,9 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
         /** For each open brace whether it is that of a body. */
         private final Deque<Boolean> braces = new ArrayDeque<>();
 
+        /** The brace that begins each of the bodies. */
+        private final Deque<Token> openings = new ArrayDeque<>();
+
         private List<Token> statement = new ArrayList<>();
 
         Reader(SourceFile file) {
@@ -127,6 +131,9 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
 
         Caret read(List<Token> tokens, int typed, int offset) {
             tokens.forEach(this::take);
+            if (isBehindVariation()) {
+                statement = new ArrayList<>();
+            }
             List<List<String>> around = new ArrayList<>();
             bodies.descendingIterator().forEachRemaining(each -> around.add(texts(each)));
             int start = statement.isEmpty() ? typed : statement.get(0).getStartIndex();
@@ -143,8 +150,19 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
                 case ArcomatLexer.OPEN_BRACE -> open(token);
                 case ArcomatLexer.CLOSE_BRACE -> close(token);
                 case ArcomatLexer.SEMICOLON -> end(token);
-                default -> statement.add(token);
+                default -> {
+                    if (isBehindVariation() && !token.getText().equals("else")) {
+                        statement = new ArrayList<>();
+                    }
+                    statement.add(token);
+                }
             }
+        }
+
+        /** A variation may go on, and then it is one statement with what it goes on with. */
+        private boolean isBehindVariation() {
+            return keyword(statement).equals("varif")
+                    && statement.get(statement.size() - 1).getType() == ArcomatLexer.CLOSE_BRACE;
         }
 
         private void open(Token token) {
@@ -152,6 +170,7 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
             braces.push(isBody);
             if (isBody) {
                 bodies.push(statement);
+                openings.push(token);
                 statement = new ArrayList<>();
             } else {
                 statement.add(token);
@@ -183,8 +202,14 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
             if (braces.isEmpty() || !braces.pop()) {
                 statement.add(token);
             } else {
-                bodies.pop();
+                List<Token> ended = bodies.pop();
+                Token opened = openings.pop();
                 statement = new ArrayList<>();
+                if (keyword(ended).equals("varif")) {
+                    statement.addAll(ended);
+                    statement.add(opened);
+                    statement.add(token);
+                }
             }
         }
 

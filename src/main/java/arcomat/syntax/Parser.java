@@ -9,6 +9,7 @@ import arcomat.tree.Unit;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Reads a file into a tree. The ending of its path tells the language: {@code .cd} is a class
@@ -20,6 +21,14 @@ public final class Parser {
 
     public static Parsed parse(SourceFile file) {
         return Reading.use(file, Leaves.OMITTED, Parser::parsed);
+    }
+
+    /**
+     * The same on the caller's stack, for where there are no threads, as in a browser: what is
+     * nested deeply may not fit.
+     */
+    public static Parsed parseHere(SourceFile file) {
+        return Reading.use(file, Leaves.OMITTED, Supplier::get, Parser::parsed);
     }
 
     private static Parsed parsed(Reading reading) {

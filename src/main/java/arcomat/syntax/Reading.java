@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Supplier;
 
 /**
  * A file as ANTLR sees it: tokens, comments, parse tree. With findings the tree has gaps.
@@ -39,17 +40,32 @@ record Reading(
         OMITTED
     }
 
+    /**
+     * Calls what recurses as deep as a text nests.
+     *
+     * @param <T> what it returns
+     */
+    @FunctionalInterface
+    interface Depth<T> {
+        T call(Supplier<T> task);
+    }
+
     /** From this depth on parse trees are built and walked on a stack of their own. */
     private static final int DEEP = 100;
 
     /** Reads a file and gives the reading to a task that may recurse as deep as the text nests. */
     static <T> T use(SourceFile file, Leaves leaves, Function<Reading, T> task) {
+        return use(file, leaves, DeepStack::call, task);
+    }
+
+    /** The same where somebody else has room for what is nested deeply. */
+    static <T> T use(SourceFile file, Leaves leaves, Depth<T> depth, Function<Reading, T> task) {
         CommonTokenStream tokens = tokens(file);
         TokenChecks checks = TokenChecks.of(file, tokens.getTokens());
         if (checks.depth() < DEEP || !checks.findings().isEmpty()) {
             return task.apply(of(file, tokens, leaves, checks.findings()));
         }
-        return DeepStack.call(() -> task.apply(of(file, tokens, leaves, checks.findings())));
+        return depth.call(() -> task.apply(of(file, tokens, leaves, checks.findings())));
     }
 
     private static Reading of(

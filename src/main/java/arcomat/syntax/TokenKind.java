@@ -36,6 +36,7 @@ enum TokenKind {
             case "'isin'", "'instanceof'" -> OPERATOR;
             case "'&&'", "'||'" -> CHAIN;
             case "'<=>'", "'implies'", "'?'", "':'", "'if'", "'then'", "'else'" -> LOOSE;
+            case "'forall'", "'exists'", "'let'" -> LOOSE;
             default -> OTHER;
         };
     }

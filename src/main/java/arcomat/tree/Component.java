@@ -23,13 +23,26 @@ public record Component(
         List<Parameter> parameters,
         Optional<TypeReference> superComponent,
         Optional<List<Argument>> superArguments,
-        List<QualifiedName> refines,
+        List<Refined> refined,
         Optional<NamedInstance> instance,
         List<Element> elements)
         implements Definition, Element {
     /** {@code a<Integer>} behind the name of a component. */
     public record NamedInstance(Span span, Name name, List<TypeArgument> arguments)
             implements Node {}
+
+    /**
+     * A component that is refined.
+     *
+     * @param arguments which of its features are chosen
+     */
+    public record Refined(Span span, QualifiedName name, List<Argument> arguments)
+            implements Node {}
+
+    /** The names of what it refines. */
+    public List<QualifiedName> refines() {
+        return refined.stream().map(Refined::name).toList();
+    }
 
     /** The elements of one kind, in text order. */
     public <E extends Element> List<E> elements(Class<E> kind) {
@@ -48,7 +61,7 @@ public record Component(
                 parameters,
                 superComponent,
                 superArguments,
-                refines,
+                refined,
                 instance,
                 others);
     }

@@ -130,13 +130,14 @@ public sealed interface Element extends Node
         }
     }
 
-    /** The five words of the language; what they mean is decided in the room of symbols. */
+    /** The words of the language; what they mean is decided in the room of symbols. */
     enum TimingKind {
         INSTANT,
         DELAYED,
         UNTIMED,
         CAUSALSYNC,
-        SYNC
+        SYNC,
+        TIMED
     }
 
     record Autoconnect(Span span, List<Stereotype> stereotypes, AutoconnectKind kind)
@@ -190,8 +191,14 @@ public sealed interface Element extends Node
         }
     }
 
-    /** {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported. */
-    record JavaPart(Span span, String keyword, Optional<Name> name, String text)
+    /**
+     * {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported.
+     *
+     * @param first what is no statement, for it is Java, or a mistake, without spaces; empty where
+     *     the statements beside it decide
+     */
+    record JavaPart(
+            Span span, String keyword, Optional<Name> name, String text, Optional<Name> first)
             implements Element {
         @Override
         public void accept(Visitor visitor) {

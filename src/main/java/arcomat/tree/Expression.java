@@ -2,6 +2,7 @@ package arcomat.tree;
 
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -54,6 +55,12 @@ public sealed interface Expression extends Node {
         R call(Call call);
 
         R javaExpression(JavaExpression javaExpression);
+
+        R indexed(Indexed indexed);
+
+        R quantified(Quantified quantified);
+
+        R let(Let let);
     }
 
     /** A literal as written, quotes and suffixes included. */
@@ -187,12 +194,85 @@ public sealed interface Expression extends Node {
     }
 
     /**
-     * {@code new T(a)}, {@code x[i]}, {@code f(a).b}: Java expressions, reported as unsupported.
+     * {@code new T(a)}, {@code f(a).b}, {@code f(a)[i]}: Java expressions, reported as unsupported.
      */
     record JavaExpression(Span span, String text) implements Leaf {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.javaExpression(this);
+        }
+    }
+
+    /** {@code a[i]}, {@code a[i].b}: a name in which elements of arrays are numbered. */
+    record Indexed(Span span, List<Step> steps) implements Expression {
+        public Indexed {
+            steps = List.copyOf(steps);
+        }
+
+        /**
+         * @param index as it is written, for an element of an array
+         */
+        public record Step(Span span, Name name, Optional<Expression> index) implements Node {}
+
+        @Override
+        public List<Expression> operands() {
+            return steps.stream().map(Step::index).flatMap(Optional::stream).toList();
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.indexed(this);
+        }
+    }
+
+    /**
+     * {@code forall x in {a, b}: c}, {@code exists x in Type: c}.
+     *
+     * @param all whether it is about all of them, or about one at least
+     */
+    record Quantified(Span span, boolean all, Name name, Domain domain, Expression body)
+            implements Expression {
+        @Override
+        public List<Expression> operands() {
+            List<Expression> operands = new ArrayList<>();
+            for (Member member : domain.members()) {
+                operands.add(member.low());
+                member.high().ifPresent(operands::add);
+            }
+            operands.add(body);
+            return operands;
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.quantified(this);
+        }
+    }
+
+    /**
+     * What a quantifier is about.
+     *
+     * @param named an array or a type; empty where the members are written
+     */
+    record Domain(Span span, Optional<TypeReference> named, List<Member> members) implements Node {
+        public Domain {
+            members = List.copyOf(members);
+        }
+    }
+
+    /** {@code low}, or {@code low .. high}. */
+    record Member(Span span, Expression low, Optional<Expression> high) implements Node {}
+
+    /** {@code let x = value in body}. */
+    record Let(Span span, Name name, Expression value, Expression body) implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(value, body);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.let(this);
         }
     }
 

@@ -1,11 +1,11 @@
 package arcomat.check.diagrams;
 
+import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
 
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * ARC0609: a class diagram defines types of messages; what else the older tools read in it means
@@ -32,7 +32,7 @@ public final class DiagramDefinesTypes implements Check.OnClassDiagram {
                         + " this finding if another tool needs it",
                 kind(type),
                 type.name(),
-                list(named));
+                Wording.firstOf(named, MOST_NAMED));
     }
 
     private static String kind(ClassDiagram.TypeDefinition type) {
@@ -40,16 +40,6 @@ public final class DiagramDefinesTypes implements Check.OnClassDiagram {
             return "enum";
         }
         return type instanceof ClassDiagram.ClassDefinition ? "class" : "interface";
-    }
-
-    private static String list(List<String> named) {
-        Stream<String> shown = named.stream().limit(MOST_NAMED);
-        int more = named.size() - MOST_NAMED;
-        return String.join(
-                ", ",
-                more <= 0
-                        ? shown.toList()
-                        : Stream.concat(shown, Stream.of("and " + more + " more")).toList());
     }
 
     private static void check(ClassDiagram.Association association, Findings findings) {

@@ -4,11 +4,9 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
-import arcomat.symbols.signatures.ComponentReference;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /** Questions about the connectors of a component that several laws ask. */
@@ -40,7 +38,7 @@ public final class Connections {
      * connected, and nothing should be said about those that seem not to be.
      */
     public static boolean areUnclear(ComponentSymbol component) {
-        if (lacksAncestor(component)
+        if (component.lacksAncestor()
                 || lacksPart(component)
                 || !MeantParts.in(component).isEmpty()) {
             return true;
@@ -56,13 +54,5 @@ public final class Connections {
     /** Whether the component of some part does not resolve. */
     public static boolean lacksPart(ComponentSymbol component) {
         return component.instances().stream().anyMatch(part -> part.component().isEmpty());
-    }
-
-    /** Whether a component further up does not resolve, so that ports may be missing. */
-    public static boolean lacksAncestor(ComponentSymbol component) {
-        List<ComponentSymbol> lineage = component.lineage();
-        Optional<ComponentReference> top =
-                lineage.get(lineage.size() - 1).signature().superComponent();
-        return top.isPresent() && top.get().component().isEmpty();
     }
 }

@@ -5,11 +5,13 @@ import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Node;
 
 import java.util.Collection;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -31,6 +33,13 @@ public final class Wording {
         return names.stream().map(name -> "'" + name + "'").collect(Collectors.joining(", "));
     }
 
+    /** {@code a, b, and 3 more}: the first ones, and how many are left. */
+    public static String firstOf(List<String> names, int most) {
+        String shown = String.join(", ", names.subList(0, Math.min(most, names.size())));
+        int more = names.size() - most;
+        return more <= 0 ? shown : shown + ", and " + more + " more";
+    }
+
     /** {@code out Boolean drive}. */
     public static String declaration(PortSymbol port) {
         return (port.isInput() ? "in " : "out ") + port.type().text() + " " + port.name();
@@ -39,6 +48,9 @@ public final class Wording {
     /** The name of a type; with its package where another type of the message has the same. */
     public static String distinct(TypeSymbol type, TypeSymbol other) {
         boolean same = type.text().equals(other.text());
+        if (same && type instanceof JavaType java) {
+            return java.qualifiedName();
+        }
         return same && type instanceof DefinedType defined ? defined.qualifiedName() : type.text();
     }
 

@@ -1,6 +1,7 @@
 package arcomat.check.guest;
 
 import arcomat.check.law.Law;
+import arcomat.symbols.signatures.BehaviourReader;
 
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import java.util.stream.Stream;
  * @param guest its name
  * @param identity tells it from every other guest, and from itself with other content
  * @param others codes of what it finds besides, in texts of its languages and by its analyses
+ * @param reader of behaviours in its languages, where names have to be known for that
  * @param pages what it has to say about a code, in Markdown
  */
 public record GuestLaws(
@@ -20,6 +22,7 @@ public record GuestLaws(
         String identity,
         List<Law> laws,
         List<String> others,
+        BehaviourReader reader,
         Function<String, Optional<String>> pages) {
     public GuestLaws {
         laws = List.copyOf(laws);

@@ -1,5 +1,6 @@
 package arcomat.check.law;
 
+import arcomat.source.ArrayNames;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Nearest;
@@ -294,6 +295,10 @@ public interface Check {
                 String name,
                 Collection<String> candidates,
                 String otherwise) {
+            Optional<String> ofArray = ArrayNames.hint(name, candidates);
+            if (ofArray.isPresent()) {
+                return report(place, message + ofArray.get());
+            }
             Optional<String> nearest = Nearest.to(name, candidates);
             if (nearest.isEmpty()) {
                 return report(place, "%s; %s", message, otherwise);

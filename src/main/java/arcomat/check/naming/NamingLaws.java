@@ -12,6 +12,7 @@ import java.util.List;
 public final class NamingLaws {
     public static final List<Law> LAWS =
             List.of(
+                    error("ARC0217", new ArraySize()),
                     error("ARC0206", new AutomataNamesUnique()),
                     error("ARC0207", new ComponentNameIsFileName()),
                     error("ARC0213", new FileNamesDifferInCaseOnly()),

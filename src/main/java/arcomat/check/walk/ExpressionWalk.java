@@ -91,6 +91,7 @@ final class ExpressionWalk {
             return;
         }
         types(expression, context);
+        domain(expression);
         for (Expression operand : expression.operands()) {
             parts(operand, context);
         }
@@ -102,6 +103,12 @@ final class ExpressionWalk {
             name(new QualifiedName(call.name().span(), List.of(call.name())));
         } else if (expression instanceof Expression.Cast cast) {
             type(cast.type(), context);
+        }
+    }
+
+    private void domain(Expression expression) {
+        if (expression instanceof Expression.Quantified quantified) {
+            quantified.domain().named().ifPresent(named -> name(named.name()));
         }
     }
 

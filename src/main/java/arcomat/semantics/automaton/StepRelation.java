@@ -192,6 +192,11 @@ public final class StepRelation {
         return variables;
     }
 
+    /** An expression of the automaton, with values in the place of all names but those of ports. */
+    public Expression reduced(Expression expression, Configuration configuration) {
+        return scope.reduced(expression, configuration.slots());
+    }
+
     /** What the reactions in a configuration depend on. */
     public InputAbstraction abstraction(Configuration configuration) {
         return configuration.isState()

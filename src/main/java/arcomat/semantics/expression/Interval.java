@@ -145,9 +145,21 @@ public record Interval(BigInteger low, BigInteger high) {
                     right.low.signum() < 0
                             ? spanning(left.low, left.high, left.low.negate(), left.high.negate())
                             : spanning(left.low, left.high, BigInteger.ZERO);
-            case REMAINDER -> spanning(left.low, left.high, BigInteger.ZERO);
+            case REMAINDER -> left.remainder(right);
             default -> ofType(binary.type());
         };
+    }
+
+    /** Nearer to 0 than the divisor, and on the side of the dividend, which it never exceeds. */
+    private Interval remainder(Interval divisor) {
+        BigInteger most =
+                divisor.low
+                        .abs()
+                        .max(divisor.high.abs())
+                        .subtract(BigInteger.ONE)
+                        .max(BigInteger.ZERO);
+        return new Interval(
+                low.min(BigInteger.ZERO).max(most.negate()), high.max(BigInteger.ZERO).min(most));
     }
 
     private static Interval spanning(BigInteger... ends) {

@@ -25,6 +25,13 @@ public final class Scope {
 
     private Scope() {}
 
+    /** Knows the messages of some ports, and nothing else. */
+    public static Scope ofPorts(List<Port> inputs) {
+        Scope scope = new Scope();
+        inputs.forEach(port -> scope.ports.put(port.name(), scope.ports.size()));
+        return scope;
+    }
+
     /** Knows the first parameters of a component, and no constants. */
     public static Scope ofParameters(List<Parameter> declared, List<Value> arguments) {
         Scope scope = new Scope();
@@ -78,6 +85,24 @@ public final class Scope {
     @SuppressWarnings("NullAway") // what reads no port is defined
     public Value constant(Expression expression) {
         return Evaluation.compile(expression, this).evaluate(NOTHING, NOTHING);
+    }
+
+    /** The expression with values in the place of all names but those of ports. */
+    public Expression reduced(Expression expression, Value[] values) {
+        return expression.rewritten(leaf -> reducedLeaf(leaf, values));
+    }
+
+    @SuppressWarnings("NullAway") // names that are read have values
+    private Expression reducedLeaf(Expression leaf, Value[] values) {
+        if (leaf instanceof Expression.ParameterRead read) {
+            return new Expression.Constant(parameter(read.parameter()), read.type(), read.span());
+        }
+        if (leaf instanceof Expression.VariableRead read) {
+            int slot = variable(read.variable());
+            Value value = slot < 0 ? constantOf(read.variable()) : values[slot];
+            return new Expression.Constant(value, read.type(), read.span());
+        }
+        return leaf;
     }
 
     public int port(Port port) {

@@ -10,7 +10,10 @@ import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.BehaviourReader;
+import arcomat.symbols.signatures.BehaviourReader.Reading;
 import arcomat.symbols.signatures.Signature;
+import arcomat.tree.Automaton;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
@@ -20,7 +23,9 @@ import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -34,6 +39,8 @@ import java.util.function.Function;
 public final class ComponentSymbol {
     private final Signature signature;
     private final Function<Signature, ComponentSymbol> components;
+    private final BehaviourReader reader;
+    private final Lazy<Map<Behaviour.Foreign, Reading>> readings = new Lazy<>(this::makeReadings);
     private final Lazy<List<AutomatonSymbol>> ownAutomata = new Lazy<>(this::makeAutomata);
     private final Lazy<List<TableSymbol>> ownTables = new Lazy<>(this::makeTables);
     private final Lazy<List<ComponentSymbol>> lineage = new Lazy<>(this::makeLineage);
@@ -47,17 +54,37 @@ public final class ComponentSymbol {
 
     /**
      * @param components all of them, this one included
+     * @param reader of behaviours that are not read yet
      */
-    public ComponentSymbol(Signature signature, Function<Signature, ComponentSymbol> components) {
+    public ComponentSymbol(
+            Signature signature,
+            Function<Signature, ComponentSymbol> components,
+            BehaviourReader reader) {
         this.signature = signature;
         this.components = components;
+        this.reader = reader;
     }
 
     private List<AutomatonSymbol> makeAutomata() {
         return node().elements(Behaviour.class).stream()
-                .flatMap(behaviour -> behaviour.automata().stream())
+                .flatMap(behaviour -> automata(behaviour).stream())
                 .map(automaton -> AutomatonSymbol.embedded(automaton, this))
                 .toList();
+    }
+
+    private List<Automaton> automata(Behaviour behaviour) {
+        Reading reading = behaviour instanceof Behaviour.Foreign ? readings().get(behaviour) : null;
+        return reading == null ? behaviour.automata() : reading.automaton().stream().toList();
+    }
+
+    private Map<Behaviour.Foreign, Reading> makeReadings() {
+        Map<Behaviour.Foreign, Reading> all = new LinkedHashMap<>();
+        for (Behaviour.Foreign each : node().elements(Behaviour.Foreign.class)) {
+            if (each.automata().isEmpty()) {
+                reader.read(each, signature).ifPresent(reading -> all.put(each, reading));
+            }
+        }
+        return Collections.unmodifiableMap(all);
     }
 
     private List<TableSymbol> makeTables() {
@@ -125,6 +152,15 @@ public final class ComponentSymbol {
         return signature.isPlatform();
     }
 
+    /** Whether a component further up does not resolve, so that ports may be missing. */
+    public boolean lacksAncestor() {
+        List<Signature> lineage = signature().lineage();
+        return lineage.get(lineage.size() - 1)
+                .superComponent()
+                .filter(above -> above.component().isEmpty())
+                .isPresent();
+    }
+
     /** This component and those above it, nearest first; ends before one would come again. */
     public List<ComponentSymbol> lineage() {
         return lineage.get();
@@ -184,6 +220,21 @@ public final class ComponentSymbol {
     /** Automata written here, those in an {@code implementation} included. */
     public List<AutomatonSymbol> ownAutomata() {
         return ownAutomata.get();
+    }
+
+    /**
+     * What came of behaviours written here whose languages have to know names and types, in the
+     * order of the text.
+     */
+    public Map<Behaviour.Foreign, Reading> readings() {
+        return readings.get();
+    }
+
+    /** Whether an automaton is what a behaviour written here means, and not what is written. */
+    public boolean isMeaning(AutomatonSymbol automaton) {
+        return node().elements(Behaviour.class).stream()
+                .filter(Behaviour::isMeaning)
+                .anyMatch(each -> automata(each).contains(automaton.node()));
     }
 
     /** I/O tables written here. */

@@ -48,6 +48,8 @@ public record ConnectorSymbol(
         NO_SUCH_INSTANCE,
         /** The instance has no port of that name. */
         NO_SUCH_PORT_OF_INSTANCE,
+        /** Each end names a whole array, and the arrays differ in size. */
+        OTHER_SIZE,
         /** The type of the instance does not resolve, which is reported there. */
         EXCUSED
     }

@@ -1,12 +1,12 @@
 package arcomat.symbols.bodies;
 
+import arcomat.source.ArrayNames;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.ConnectorSymbol.Ends;
 import arcomat.symbols.bodies.ConnectorSymbol.Origin;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.expressions.PortSymbol;
-import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Element;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
@@ -19,6 +19,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** Finds the connectors of a component and resolves their ends. */
 final class Connectors {
@@ -52,16 +53,16 @@ final class Connectors {
 
     private void addWritten(ComponentSymbol declaring) {
         for (Element.Connector node : declaring.node().elements(Element.Connector.class)) {
-            End source = end(node.source(), node.source().parts());
-            add(Origin.EXPLICIT, node, node.stereotypes(), source, node.targets());
+            List<End> sources = ends(node.source(), node.source().parts());
+            add(Origin.EXPLICIT, node, node.stereotypes(), sources, node.targets());
         }
         for (InstanceSymbol instance : declaring.ownInstances()) {
             for (Element.SimpleConnector node : instance.simpleConnectors()) {
                 List<Name> parts = new ArrayList<>();
                 parts.add(new Name(instance.nameSpan(), instance.name()));
                 parts.addAll(node.source().parts());
-                End source = end(node.source(), parts);
-                add(Origin.SIMPLE, node, node.stereotypes(), source, node.targets());
+                List<End> sources = ends(node.source(), parts);
+                add(Origin.SIMPLE, node, node.stereotypes(), sources, node.targets());
             }
         }
     }
@@ -70,11 +71,13 @@ final class Connectors {
             Origin origin,
             Node node,
             List<Stereotype> stereotypes,
-            End source,
+            List<End> sources,
             List<QualifiedName> targets) {
         List<Ends> written =
-                targets.stream().map(each -> new Ends(source, end(each, each.parts()))).toList();
-        for (Ends ends : PartEnds.complete(written)) {
+                targets.stream()
+                        .flatMap(each -> connected(sources, ends(each, each.parts())).stream())
+                        .toList();
+        for (Ends ends : sources.size() == 1 ? PartEnds.complete(written) : written) {
             found.add(
                     new ConnectorSymbol(
                             component,
@@ -85,6 +88,49 @@ final class Connectors {
                             ends.source(),
                             ends.target()));
         }
+    }
+
+    /** Several where a whole array is named. */
+    private List<End> ends(QualifiedName written, List<Name> parts) {
+        End whole = end(written, parts);
+        boolean mayBeArray = !whole.isResolved() && whole.status() != Status.EXCUSED;
+        List<End> elements =
+                mayBeArray
+                        ? arrays().elements(parts).stream()
+                                .map(each -> end(written, each))
+                                .filter(End::isResolved)
+                                .toList()
+                        : List.of();
+        return elements.isEmpty() ? List.of(whole) : elements;
+    }
+
+    private WholeArrays arrays() {
+        return new WholeArrays(
+                name -> component.port(name).isPresent(),
+                name -> component.instance(name).isPresent(),
+                (part, port) ->
+                        component.instance(part).flatMap(each -> each.port(port)).isPresent());
+    }
+
+    /** One to one, or one to all of them. */
+    private static List<Ends> connected(List<End> sources, List<End> targets) {
+        if (sources.size() == 1) {
+            return targets.stream().map(target -> new Ends(sources.get(0), target)).toList();
+        }
+        return sources.size() == targets.size()
+                ? IntStream.range(0, sources.size())
+                        .mapToObj(each -> new Ends(sources.get(each), targets.get(each)))
+                        .toList()
+                : List.of(new Ends(otherSize(sources), otherSize(targets)));
+    }
+
+    /** Its text is the size; what names nothing has none. */
+    private static End otherSize(List<End> ends) {
+        End first = ends.get(0);
+        String size = Integer.toString(ends.size());
+        return first.isResolved()
+                ? unresolved(first.span(), size, Status.OTHER_SIZE, Optional.empty())
+                : first;
     }
 
     private End end(QualifiedName written, List<Name> parts) {
@@ -109,7 +155,9 @@ final class Connectors {
     private End endOfInstance(Span span, String text, String instanceName, String portName) {
         Optional<InstanceSymbol> instance = component.instance(instanceName);
         if (instance.isEmpty()) {
-            return unresolved(span, text, Status.NO_SUCH_INSTANCE, instance);
+            Status status =
+                    isArrayOfUnknown(instanceName) ? Status.EXCUSED : Status.NO_SUCH_INSTANCE;
+            return unresolved(span, text, status, instance);
         }
         if (instance.get().component().isEmpty()) {
             return unresolved(span, text, Status.EXCUSED, instance);
@@ -118,17 +166,15 @@ final class Connectors {
         if (port.isPresent()) {
             return new End(span, text, Status.RESOLVED, instance, port);
         }
-        boolean excused = lacksAncestor(instance.get().component().get());
+        boolean excused = instance.get().component().get().lacksAncestor();
         Status status = excused ? Status.EXCUSED : Status.NO_SUCH_PORT_OF_INSTANCE;
         return unresolved(span, text, status, instance);
     }
 
-    /** Whether the port may come from a super component that does not resolve. */
-    private static boolean lacksAncestor(ComponentSymbol component) {
-        List<Signature> lineage = component.signature().lineage();
-        return lineage.get(lineage.size() - 1)
-                .superComponent()
-                .filter(s -> s.component().isEmpty())
+    private boolean isArrayOfUnknown(String name) {
+        return component
+                .instance(ArrayNames.element(name, 0))
+                .filter(part -> part.component().map(ComponentSymbol::lacksAncestor).orElse(true))
                 .isPresent();
     }
 

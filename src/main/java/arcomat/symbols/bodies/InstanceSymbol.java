@@ -4,6 +4,7 @@ import arcomat.source.Span;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeVariable;
@@ -118,7 +119,9 @@ public final class InstanceSymbol {
     }
 
     private PortSymbol seenFromOutside(PortSymbol port) {
-        return port.type() instanceof TypeVariable ? port.with(type.substitution()) : port;
+        return port.type() instanceof TypeVariable || port.type() instanceof JavaType
+                ? port.with(type.substitution())
+                : port;
     }
 
     @Override

@@ -4,7 +4,6 @@ import arcomat.source.Span;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
-import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.BuiltinType;
@@ -18,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * An invariant of a component. It may be of any language; it has a meaning where it is an
@@ -123,15 +123,10 @@ public final class InvariantSymbol {
 
     /** A variable of the component in it that is no constant. */
     private Optional<String> changing(Typed condition) {
-        Set<String> read = new HashSet<>();
-        condition
-                .expression()
-                .walk(
-                        part -> {
-                            if (part instanceof TypedExpression.VariableRead variable) {
-                                read.add(variable.variable().name());
-                            }
-                        });
+        Set<String> read =
+                condition.variablesRead().stream()
+                        .map(each -> each.variable().name())
+                        .collect(Collectors.toSet());
         return component.fields().stream()
                 .map(VariableSymbol::name)
                 .filter(read::contains)

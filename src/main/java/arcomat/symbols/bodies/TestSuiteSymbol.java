@@ -15,6 +15,7 @@ import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** A suite of stream tests with the component it is for. */
@@ -64,12 +65,15 @@ public final class TestSuiteSymbol {
         return component.get();
     }
 
+    /** The component under test, before a configuration of it is chosen. */
+    public Optional<ComponentDeclaration> named() {
+        return scope.component(node.component()).found();
+    }
+
     /** The arguments for the component, typed against its parameters. */
     public List<GivenArgument> arguments() {
         return GivenArgument.of(
-                scope.component(node.component())
-                        .found()
-                        .map(named -> named.withoutFeatures(node.arguments()))
+                named().map(named -> named.withoutFeatures(node.arguments()))
                         .orElse(node.arguments()),
                 component().found().map(ComponentSymbol::parameters).orElse(List.of()),
                 type -> type,

@@ -33,6 +33,10 @@ public record ExpressionProblem(Kind kind, Span span, String message, Optional<S
         /** Division by the literal zero. */
         DIVISION_BY_ZERO,
         /** {@code == --} asked of something that is no port. */
-        ABSENCE_OF_NO_PORT
+        ABSENCE_OF_NO_PORT,
+        /** A name that a quantifier or a {@code let} gives is taken, or not used. */
+        BOUND_NAME,
+        /** What a quantifier is about is no finite set, or a large one. */
+        DOMAIN
     }
 }

@@ -34,6 +34,6 @@ public final class ExpressionTyping {
             Expression expression, ValueScope scope, TypeSymbol expected, boolean objects) {
         Problems problems = new Problems();
         FormTyping forms = new FormTyping(scope, objects, problems, expected);
-        return new Typed(forms.type(expression, expected), problems.found());
+        return new Typed(forms.type(expression, expected), problems.found(), problems.unfolded());
     }
 }

@@ -4,6 +4,8 @@ import static arcomat.symbols.expressions.Problems.quoted;
 
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.JavaType;
+import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
@@ -15,6 +17,10 @@ import java.util.Optional;
 
 /** Types each form of expression, at a place where some type is expected. */
 final class FormTyping implements Expression.Cases<TypedExpression> {
+    private static final String LOOKED_INTO =
+            "nobody looks into a message of type %s, so '%s' cannot be called; compute the value in"
+                    + " a <<platform>> component and send it over a port";
+
     private final ValueScope scope;
     private final Problems problems;
     private final ReferenceTyping references;
@@ -42,6 +48,14 @@ final class FormTyping implements Expression.Cases<TypedExpression> {
         this.references = other.references;
         this.objects = other.objects;
         this.expected = expected;
+    }
+
+    private TypedExpression within(Expression expression, ValueScope inner, TypeSymbol type) {
+        return new FormTyping(inner, objects.isPresent(), problems, type).type(expression, type);
+    }
+
+    private QuantifierTyping quantifiers() {
+        return new QuantifierTyping(scope, problems, this::within);
     }
 
     TypedExpression type(Expression expression, TypeSymbol type) {
@@ -240,19 +254,37 @@ final class FormTyping implements Expression.Cases<TypedExpression> {
 
     @Override
     public TypedExpression call(Expression.Call call) {
-        return objects.flatMap(o -> o.type(call)).orElseGet(() -> unsupported(call));
+        return objects.flatMap(o -> o.type(call, expected)).orElseGet(() -> unsupported(call));
     }
 
     private TypedExpression unsupported(Expression.Call call) {
-        return problems.erroneous(
-                Kind.UNSUPPORTED_CALL,
-                call,
+        String why =
                 call.name().text().equals("equals")
                         ? "models call no methods; compare with '==' instead of 'equals'"
                         : "models call no methods ('"
                                 + call.name()
                                 + "'); compute the value in a <<platform>> component and send it"
-                                + " over a port");
+                                + " over a port";
+        Optional<String> closed =
+                call.target().map(this::silently).filter(FormTyping::isClosed).map(t -> t.text());
+        return problems.erroneous(
+                Kind.UNSUPPORTED_CALL,
+                call,
+                closed.filter(type -> !call.name().text().equals("equals"))
+                        .map(type -> LOOKED_INTO.formatted(type, call.name()))
+                        .orElse(why));
+    }
+
+    /** The type of what is reported somewhere else, or not at all. */
+    private TypeSymbol silently(Expression expression) {
+        return new FormTyping(scope, objects.isPresent(), new Problems(), UnknownType.UNKNOWN)
+                .type(expression)
+                .type();
+    }
+
+    /** Whether nobody looks into its messages. */
+    private static boolean isClosed(TypeSymbol type) {
+        return type instanceof JavaType || type instanceof OpaqueSymbol;
     }
 
     @Override
@@ -265,7 +297,32 @@ final class FormTyping implements Expression.Cases<TypedExpression> {
         return java(node);
     }
 
+    @Override
+    public TypedExpression indexed(Expression.Indexed node) {
+        return new ElementTyping(scope, problems, references, this::type)
+                .type(node, expected)
+                .orElseGet(() -> java(node));
+    }
+
+    @Override
+    public TypedExpression quantified(Expression.Quantified node) {
+        return quantifiers().quantified(node);
+    }
+
+    @Override
+    public TypedExpression let(Expression.Let node) {
+        return quantifiers().let(node, expected);
+    }
+
     private TypedExpression java(Expression node) {
+        if (node instanceof Expression.JavaExpression java && java.text().matches("(?s)new\\b.*")) {
+            return problems.erroneous(
+                    Kind.UNSUPPORTED_EXPRESSION,
+                    node,
+                    quoted(node)
+                            + " makes an object, and models make none; have a <<platform>>"
+                            + " component make it and send it over a port");
+        }
         return problems.erroneous(
                 Kind.UNSUPPORTED_EXPRESSION,
                 node,

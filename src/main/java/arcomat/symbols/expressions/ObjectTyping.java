@@ -3,8 +3,7 @@ package arcomat.symbols.expressions;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
-import arcomat.symbols.names.DefinedType;
-import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
@@ -67,8 +66,8 @@ final class ObjectTyping {
     }
 
     /** The object that a call constructs; empty for the call of a method. */
-    Optional<TypedExpression> type(Expression.Call call) {
-        Optional<DefinedType> type = constructed(call);
+    Optional<TypedExpression> type(Expression.Call call, TypeSymbol expected) {
+        Optional<TypeSymbol> type = constructed(call, expected);
         if (type.isEmpty() && call.target().isEmpty()) {
             return Optional.of(
                     problems.erroneous(
@@ -81,7 +80,7 @@ final class ObjectTyping {
     }
 
     /** The class or opaque type that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
-    private Optional<DefinedType> constructed(Expression.Call call) {
+    private Optional<TypeSymbol> constructed(Expression.Call call, TypeSymbol expected) {
         List<Name> parts = new ArrayList<>();
         if (call.target().isPresent()) {
             if (!(call.target().get() instanceof Expression.Reference target)) {
@@ -93,12 +92,18 @@ final class ObjectTyping {
         return unitScope
                 .type(new QualifiedName(call.span(), List.copyOf(parts)))
                 .found()
-                .filter(DefinedType.class::isInstance)
-                .map(DefinedType.class::cast)
-                .filter(type -> !(type instanceof EnumSymbol));
+                .filter(TypeSymbol::isObject)
+                .map(type -> isOf(expected, type) ? expected : type);
     }
 
-    private TypedExpression object(Expression.Call call, DefinedType type) {
+    /** {@code List("a")} is a message where some {@code List<String>} is expected. */
+    private static boolean isOf(TypeSymbol expected, TypeSymbol written) {
+        return expected instanceof JavaType wanted
+                && written instanceof JavaType type
+                && wanted.qualifiedName().equals(type.qualifiedName());
+    }
+
+    private TypedExpression object(Expression.Call call, TypeSymbol type) {
         List<Slot> attributes = slots(type);
         List<TypedExpression> values = new ArrayList<>();
         for (Expression argument : call.arguments()) {
@@ -125,7 +130,7 @@ final class ObjectTyping {
         return new TypedExpression.NewObject(call, type, values);
     }
 
-    private static List<Slot> slots(DefinedType type) {
+    private static List<Slot> slots(TypeSymbol type) {
         return type instanceof ClassSymbol symbol
                 ? symbol.attributes().stream().map(a -> new Slot(a.name(), a.type())).toList()
                 : List.of(new Slot(OpaqueSymbol.NAME, BuiltinType.STRING));

@@ -4,6 +4,7 @@ import arcomat.source.Nearest;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Expression;
@@ -92,8 +93,18 @@ final class ReferenceTyping {
         problems.report(
                 Kind.UNKNOWN_ATTRIBUTE,
                 at(part),
-                "type %s has no attribute '%s'%s"
-                        .formatted(value.type().text(), part, Nearest.hint(part.text(), known)),
+                value.type() instanceof JavaType
+                        ? "nobody looks into a message of type %s, so '%s' cannot be read; %s"
+                                .formatted(
+                                        value.type().text(),
+                                        part,
+                                        "send it over a port of its own, or define a class in a"
+                                                + " class diagram")
+                        : "type %s has no attribute '%s'%s"
+                                .formatted(
+                                        value.type().text(),
+                                        part,
+                                        Nearest.hint(part.text(), known)),
                 Nearest.to(part.text(), known));
         return new TypedExpression.Erroneous(reference, List.of(value));
     }

@@ -2,7 +2,6 @@ package arcomat.symbols.expressions;
 
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
-import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
@@ -267,8 +266,8 @@ public sealed interface TypedExpression {
         }
     }
 
-    /** {@code Cup(5)}, in stream tests only; of a class or of an opaque type. */
-    record NewObject(Expression.Call node, DefinedType type, List<TypedExpression> arguments)
+    /** {@code Cup(5)}, in stream tests only; of a class, or of a type that nobody looks into. */
+    record NewObject(Expression.Call node, TypeSymbol type, List<TypedExpression> arguments)
             implements TypedExpression {
         public NewObject {
             arguments = List.copyOf(arguments);

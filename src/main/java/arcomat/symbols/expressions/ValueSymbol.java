@@ -5,7 +5,7 @@ import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Expression;
 
 /** What a simple name in an expression or an item can mean. */
-public sealed interface ValueSymbol permits PortSymbol, DeclaredValue {
+public sealed interface ValueSymbol permits PortSymbol, DeclaredValue, BoundValue {
     String name();
 
     /** Unknown where the written type does not resolve. */

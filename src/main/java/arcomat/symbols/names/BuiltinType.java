@@ -48,6 +48,13 @@ public enum BuiltinType implements TypeSymbol {
         return Optional.ofNullable(BY_NAME.get(name));
     }
 
+    /** Whether a name as written is one of Java's for what is no object. */
+    static boolean isPrimitive(String name) {
+        return BY_NAME.containsKey(name)
+                && Character.isLowerCase(name.charAt(0))
+                && !name.contains(".");
+    }
+
     @Override
     public String text() {
         return displayName;

@@ -99,4 +99,9 @@ public final class ClassSymbol extends DefinedType {
     public Optional<AttributeSymbol> attribute(String name) {
         return attributes().stream().filter(a -> a.name().equals(name)).findFirst();
     }
+
+    @Override
+    public boolean isObject() {
+        return true;
+    }
 }

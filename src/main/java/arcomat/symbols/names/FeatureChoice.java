@@ -28,17 +28,19 @@ public record FeatureChoice(Map<String, Boolean> choices) {
             List<String> features, List<Argument> arguments, FeatureChoice around) {
         Map<String, Boolean> choices = new LinkedHashMap<>();
         for (String feature : features) {
-            arguments.stream()
-                    .filter(each -> isFor(feature, each))
-                    .findFirst()
-                    .flatMap(each -> around.holds(each.value()))
+            given(feature, arguments)
+                    .flatMap(around::holds)
                     .ifPresent(choice -> choices.put(feature, choice));
         }
         return new FeatureChoice(choices);
     }
 
-    private static boolean isFor(String feature, Argument argument) {
-        return argument.name().filter(name -> name.text().equals(feature)).isPresent();
+    /** What arguments say of a feature, the first one that names it. */
+    public static Optional<Expression> given(String feature, List<Argument> arguments) {
+        return arguments.stream()
+                .filter(each -> each.name().filter(name -> name.text().equals(feature)).isPresent())
+                .map(Argument::value)
+                .findFirst();
     }
 
     /** Whether a condition is true; empty where it speaks of more than features and truth. */

@@ -89,4 +89,19 @@ record FeatureCondition(Map<String, Boolean> choices)
     public Optional<Boolean> javaExpression(Expression.JavaExpression javaExpression) {
         return Optional.empty();
     }
+
+    @Override
+    public Optional<Boolean> indexed(Expression.Indexed indexed) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Boolean> quantified(Expression.Quantified quantified) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Boolean> let(Expression.Let let) {
+        return Optional.empty();
+    }
 }

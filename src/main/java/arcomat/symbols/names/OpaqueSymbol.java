@@ -22,4 +22,9 @@ public final class OpaqueSymbol extends DefinedType {
     public ClassDiagram.NamedType node() {
         return node;
     }
+
+    @Override
+    public boolean isObject() {
+        return true;
+    }
 }

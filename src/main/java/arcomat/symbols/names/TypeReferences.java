@@ -17,6 +17,9 @@ public final class TypeReferences {
             return unsupported(reference, "arrays cannot be messages; use one port per element");
         }
         Resolution<TypeSymbol> named = names.apply(reference.name());
+        if (named.found().orElse(null) instanceof JavaType java && reference.range().isEmpty()) {
+            return JavaTypes.given(java, reference, names);
+        }
         if (named.found().filter(t -> t instanceof UnsupportedType).isPresent()) {
             return named;
         }
@@ -57,7 +60,7 @@ public final class TypeReferences {
                 : OptionalLong.empty();
     }
 
-    private static Resolution<TypeSymbol> unsupported(TypeReference reference, String advice) {
+    static Resolution<TypeSymbol> unsupported(TypeReference reference, String advice) {
         return new Resolution.Found<>(new UnsupportedType(reference.span().text(), advice));
     }
 }

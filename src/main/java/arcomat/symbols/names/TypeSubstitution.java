@@ -27,6 +27,13 @@ public record TypeSubstitution(Map<TypeVariable, TypeSymbol> arguments) {
     }
 
     public TypeSymbol apply(TypeSymbol type) {
+        if (type instanceof JavaType java && !arguments.isEmpty()) {
+            return new JavaType(
+                    java.qualifiedName(),
+                    java.arguments().stream()
+                            .map(each -> new JavaType.Argument(each.bound(), apply(each.type())))
+                            .toList());
+        }
         return type instanceof TypeVariable variable
                 ? arguments.getOrDefault(variable, variable)
                 : type;

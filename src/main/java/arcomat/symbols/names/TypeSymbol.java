@@ -5,7 +5,13 @@ package arcomat.symbols.names;
  * same type: {@code Integer} and {@code int} are one.
  */
 public sealed interface TypeSymbol
-        permits BuiltinType, RangeType, DefinedType, TypeVariable, UnsupportedType, UnknownType {
+        permits BuiltinType,
+                RangeType,
+                DefinedType,
+                JavaType,
+                TypeVariable,
+                UnsupportedType,
+                UnknownType {
 
     /** The name for messages: simple for enums and classes. */
     String text();
@@ -27,6 +33,11 @@ public sealed interface TypeSymbol
     /** Whether it is one of Java's whole number types, {@code char} included. */
     default boolean isIntegral() {
         return base() instanceof BuiltinType builtin && builtin.isWhole();
+    }
+
+    /** Whether its messages are objects, which stream tests write as {@code Cup(5)}. */
+    default boolean isObject() {
+        return false;
     }
 
     /** Whether a finding about it has been or will be reported: nothing more should be said. */

@@ -16,6 +16,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * What the names in one file reach. A name is looked for, and the first place that has it wins: the
@@ -53,14 +54,29 @@ public final class UnitScope {
         if (builtin.isPresent() && !isDefinedHere(name)) {
             return new Resolution.Found<>(builtin.get());
         }
-        if (isJava(name)) {
-            return new Resolution.Found<>(
-                    new UnsupportedType(
-                            name.text(),
-                            "classes of the Java library cannot be messages; define a class or an"
-                                    + " enum in a class diagram"));
+        Optional<String> java = javaName(name);
+        if (java.isPresent()) {
+            return new Resolution.Found<>(JavaTypes.named(java.get()));
         }
-        return lookUp(name, index::types).map(type -> type);
+        Resolution<TypeSymbol> defined = lookUp(name, index::types).map(type -> type);
+        return defined.isUnknown() && component(name).isUnknown()
+                ? Resolution.of(javaInSight(name))
+                : defined;
+    }
+
+    /**
+     * What a name means to Java where nothing else has it: a type of its packages that are imported
+     * as a whole, and of {@code java.lang}.
+     */
+    private List<TypeSymbol> javaInSight(QualifiedName name) {
+        return Stream.concat(
+                        Stream.of("java.lang"),
+                        wildcardImports.get().stream().map(each -> each.name().text()))
+                .distinct()
+                .map(each -> Names.join(each, name.text()))
+                .filter(JavaTypes::isKnown)
+                .map(JavaTypes::named)
+                .toList();
     }
 
     /** A type as written, with its range; outside of components there are no type parameters. */
@@ -75,15 +91,15 @@ public final class UnitScope {
 
     /**
      * What an import leads to. With a wildcard: unknown unless a package, a diagram or a component
-     * has that name. Imports of the Java library are excused: what uses them is reported.
+     * has that name. What is not known of the Java library is excused: what uses it is reported.
      */
     public Resolution<QualifiedName> target(Import imported) {
         String name = imported.name().text();
-        if (imported.wildcard() ? index.isQualifier(name) : exists(name)) {
+        if (imported.wildcard() ? leadsSomewhere(name) : exists(name)) {
             return new Resolution.Found<>(imported.name());
         }
         boolean excused =
-                isJavaName(name)
+                JavaTypes.isJava(name)
                         || index.isExcused(name)
                         || imported.wildcard() && index.hasBrokenFileIn(name);
         return excused ? Resolution.excused() : Resolution.unknown();
@@ -101,15 +117,19 @@ public final class UnitScope {
                         .anyMatch(each -> !target(each).isFound());
     }
 
-    /** Whether a name refers to the Java library, so that no model can define it. */
-    public boolean isJava(QualifiedName name) {
-        List<Import> imports = singleImports.get().get(Names.first(name));
-        return isJavaName(name.text())
-                || imports != null && imports.stream().anyMatch(i -> isJavaName(i.name().text()));
+    private boolean leadsSomewhere(String qualifier) {
+        return index.isQualifier(qualifier) || JavaTypes.isQualifier(qualifier);
     }
 
-    private static boolean isJavaName(String name) {
-        return name.startsWith("java.") || name.startsWith("javax.");
+    /** The full name of what can only be of the Java library, since no model can define it. */
+    private Optional<String> javaName(QualifiedName name) {
+        if (JavaTypes.isJava(name.text())) {
+            return Optional.of(name.text());
+        }
+        return singleImports.get().getOrDefault(Names.first(name), List.of()).stream()
+                .map(each -> each.name().text() + Names.afterFirst(name))
+                .filter(JavaTypes::isJava)
+                .findFirst();
     }
 
     /** The import through which a name is reached, if it is reached through one. */
@@ -129,7 +149,8 @@ public final class UnitScope {
     private boolean exists(String name) {
         return !index.types(name).isEmpty()
                 || !index.components(name).isEmpty()
-                || index.isQualifier(name);
+                || index.isQualifier(name)
+                || JavaTypes.isKnown(name);
     }
 
     /** The enumeration constant that {@code Enum.CONST}, qualified or not, stands for. */
@@ -190,7 +211,8 @@ public final class UnitScope {
     }
 
     private boolean someWildcardLeadsNowhere() {
-        return wildcardImports.get().stream().anyMatch(i -> !target(i).isFound());
+        return wildcardImports.get().stream()
+                .anyMatch(i -> !target(i).isFound() && !JavaTypes.isJava(i.name().text()));
     }
 
     private Map<String, List<Import>> singleImports() {

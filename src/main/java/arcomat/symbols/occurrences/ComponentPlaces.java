@@ -37,6 +37,7 @@ final class ComponentPlaces implements Element.Visitor {
     private final ComponentSymbol component;
     private final Signature signature;
     private final ExpressionPlaces expressions;
+    private final FeaturePlaces features;
     private final Map<Node, List<ConnectorSymbol>> connectors = new IdentityHashMap<>();
 
     private ComponentPlaces(NamePlaces places, ComponentSymbol component) {
@@ -45,6 +46,7 @@ final class ComponentPlaces implements Element.Visitor {
         this.signature = component.signature();
         this.expressions =
                 new ExpressionPlaces(places, component::resolveType, Optional.of(component));
+        this.features = FeaturePlaces.in(signature, places);
         component
                 .connectors()
                 .forEach(
@@ -59,6 +61,7 @@ final class ComponentPlaces implements Element.Visitor {
         walk.head();
         walk.members();
         walk.parts();
+        walk.features();
         component.node().elements().forEach(element -> element.accept(walk));
         walk.bodies();
         component.innerComponents().forEach(inner -> in(inner, places));
@@ -126,8 +129,24 @@ final class ComponentPlaces implements Element.Visitor {
         }
     }
 
+    private void features() {
+        if (signature.enclosing().isEmpty()) {
+            features.declaredBy(signature.declaration());
+        }
+        component
+                .node()
+                .superArguments()
+                .ifPresent(given -> features.arguments(given, signature.superNamed()));
+    }
+
     private void part(InstanceSymbol part) {
         if (part.node() instanceof Element.Subcomponent node) {
+            features.arguments(
+                    node.arguments(),
+                    signature
+                            .resolveComponent(node.type().name())
+                            .found()
+                            .map(Signature::declaration));
             component(node.type().name(), part.type().component());
             places.arguments(node.type().arguments(), component::resolveType);
         } else {
@@ -147,17 +166,11 @@ final class ComponentPlaces implements Element.Visitor {
         NamePlaces translated = new NamePlaces();
         BehaviourPlaces meant = new BehaviourPlaces(translated, expressions.to(translated));
         for (AutomatonSymbol automaton : component.ownAutomata()) {
-            (isWritten(automaton) ? behaviours : meant).automaton(automaton);
+            // No word stands for the states of what is only meant.
+            (component.isMeaning(automaton) ? meant : behaviours).automaton(automaton);
         }
         places.addNames(translated);
         component.ownTables().forEach(behaviours::table);
-    }
-
-    /** No word stands for the states of what is only meant. */
-    private boolean isWritten(AutomatonSymbol automaton) {
-        return component.node().elements(Behaviour.class).stream()
-                .filter(Behaviour::isMeaning)
-                .noneMatch(each -> each.automata().contains(automaton.node()));
     }
 
     @Override
@@ -209,9 +222,11 @@ final class ComponentPlaces implements Element.Visitor {
 
     private void connections(Node node, QualifiedName source, List<QualifiedName> targets) {
         List<ConnectorSymbol> made = connectors.getOrDefault(node, List.of());
-        made.stream().limit(1).forEach(each -> end(source, each.source(), Role.READS));
-        for (int i = 0; i < made.size() && i < targets.size(); i++) {
-            end(targets.get(i), made.get(i).target(), Role.WRITES);
+        made.forEach(each -> end(source, each.source(), Role.READS));
+        for (QualifiedName target : targets) {
+            made.stream()
+                    .filter(each -> each.target().span().equals(target.span()))
+                    .forEach(each -> end(target, each.target(), Role.WRITES));
         }
     }
 
@@ -266,7 +281,7 @@ final class ComponentPlaces implements Element.Visitor {
     @Override
     public void invariant(Element.Invariant invariant) {}
 
-    /** Features have no symbols. */
+    /** Walked with their conditions. */
     @Override
     public void features(Element.Features features) {}
 

@@ -1,5 +1,6 @@
 package arcomat.symbols.occurrences;
 
+import arcomat.source.ArrayNames;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.GivenArgument;
@@ -7,6 +8,7 @@ import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
+import arcomat.symbols.expressions.Unfolded;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
@@ -39,7 +41,7 @@ record ExpressionPlaces(
     }
 
     void in(Typed typed) {
-        typed.expression().walk(each -> each.match(this));
+        in(typed, any -> true);
     }
 
     /** Only at some places. */
@@ -51,6 +53,21 @@ record ExpressionPlaces(
                                 each.match(this);
                             }
                         });
+        unfolded(typed.unfolded());
+    }
+
+    private void unfolded(Unfolded unfolded) {
+        unfolded.values().forEach(value -> value.walk(each -> each.match(this)));
+        unfolded.types().forEach(type -> places.type(type, types));
+        unfolded.names()
+                .forEach(each -> places.declared(each.name().span(), new Referent.Bound(each)));
+        unfolded.reads()
+                .forEach(
+                        each ->
+                                places.add(
+                                        each.place(),
+                                        new Referent.Bound(each.bound()),
+                                        Role.READS));
     }
 
     void in(List<Typed> typed) {
@@ -75,11 +92,19 @@ record ExpressionPlaces(
                 : List.of();
     }
 
+    /** Where a name stands for it that the expression has given, there is no place of its own. */
     private ExpressionPlaces read(Expression node, Referent value) {
         names(node).stream()
                 .findFirst()
+                .filter(name -> isNamed(name.text(), value.name()))
                 .ifPresent(name -> places.add(name.span(), value, Role.READS));
         return this;
+    }
+
+    /** A whole array is named by a quantifier that is about its elements. */
+    private static boolean isNamed(String written, String name) {
+        return written.equals(name)
+                || ArrayNames.isElement(name) && written.equals(ArrayNames.array(name));
     }
 
     /** Where a part's port is meant, its symbol has the names of both. */
@@ -89,6 +114,7 @@ record ExpressionPlaces(
         }
         List<Name> names = names(node);
         component
+                .filter(whole -> names.size() > 1)
                 .flatMap(whole -> whole.instance(names.get(0).text()))
                 .ifPresent(part -> partAndPort(names, part));
         return this;
@@ -144,6 +170,9 @@ record ExpressionPlaces(
 
     /** The number of names in front of it. */
     private static int position(TypedExpression.AttributeRead read) {
+        if (read.object().node() != read.node()) {
+            return 1; // the value of a name that is bound elsewhere
+        }
         return read.object() instanceof TypedExpression.AttributeRead inner
                 ? position(inner) + 1
                 : width(read.object());
@@ -173,7 +202,7 @@ record ExpressionPlaces(
         List<Name> names = new ArrayList<>();
         object.node().target().ifPresent(target -> names.addAll(names(target)));
         names.add(object.node().name());
-        places.path(names, new Referent.Type(object.type()));
+        NamePlaces.referent(object.type()).ifPresent(type -> places.path(names, type));
         return this;
     }
 

@@ -1,5 +1,6 @@
 package arcomat.symbols.occurrences;
 
+import arcomat.source.ArrayNames;
 import arcomat.source.Span;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.DefinedType;
@@ -11,29 +12,51 @@ import arcomat.tree.Name;
 import arcomat.tree.TypeReference;
 import arcomat.tree.TypeReference.TypeArgument;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Function;
 
 /** Takes down places, in any order. */
 final class NamePlaces {
-    private final List<Occurrence> found = new ArrayList<>();
+    private final Map<Integer, Occurrence> found = new TreeMap<>();
 
     List<Occurrence> inTextOrder() {
-        found.sort(Comparator.comparingInt(each -> each.span().start()));
-        return List.copyOf(found);
+        return List.copyOf(found.values());
     }
 
     void declared(Span span, Referent referent) {
         add(span, referent, Role.DECLARES);
     }
 
+    /**
+     * What is written once may be read several times, and elements of an array are named together
+     * where it is declared, or where a quantifier or a connector is about all of them.
+     */
     void add(Span span, Referent referent, Role role) {
-        found.add(new Occurrence(span, referent, role));
+        Referent named = Referent.Array.around(referent);
+        Span word = named == referent ? span : ArrayNames.word(span, named.name());
+        if (!isWritten(word.text(), named)) {
+            return;
+        }
+        found.merge(
+                word.start(),
+                new Occurrence(word, named, role),
+                (first, other) ->
+                        first.referent() instanceof Referent.Array array
+                                ? new Occurrence(
+                                        first.span(), array.and(other.referent()), first.role())
+                                : first);
+    }
+
+    /** What a guest has made of a text stands at places that need not name it. */
+    private static boolean isWritten(String word, Referent named) {
+        return named instanceof Referent.Builtin builtin
+                ? BuiltinType.named(word).filter(builtin.type()::equals).isPresent()
+                : word.equals(named.name());
     }
 
     /** What a guest has made of its text: those places where the text itself has the name. */
@@ -42,7 +65,7 @@ final class NamePlaces {
         translated.inTextOrder().stream()
                 .filter(each -> each.span().text().equals(each.referent().name()))
                 .filter(each -> taken.add(each.span()))
-                .forEach(found::add);
+                .forEach(each -> found.putIfAbsent(each.span().start(), each));
     }
 
     /** A path whose last name stands for something; those in front stand for what it lies in. */

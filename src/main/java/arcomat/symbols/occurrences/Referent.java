@@ -1,5 +1,6 @@
 package arcomat.symbols.occurrences;
 
+import arcomat.source.ArrayNames;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
@@ -9,6 +10,7 @@ import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Unfolded;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol.AttributeSymbol;
@@ -42,7 +44,9 @@ public sealed interface Referent {
         PORT,
         PART,
         VARIABLE,
+        BOUND,
         PARAMETER,
+        FEATURE,
         STATE,
         BEHAVIOUR,
         INVARIANT,
@@ -87,6 +91,11 @@ public sealed interface Referent {
     /** Whether it has its name from its type, which alone is written. */
     default boolean isImplicit() {
         return false;
+    }
+
+    /** Itself; of an array, the element that is meant, or one of them where all are. */
+    default Referent one() {
+        return this;
     }
 
     /** What is named in front of the dot, where it is named by a path. */
@@ -331,6 +340,92 @@ public sealed interface Referent {
         }
     }
 
+    /**
+     * An array of ports, parts or variables, as it is named where one of its elements is, or all
+     * are. What it is called they are called together.
+     *
+     * @param one an element
+     * @param isWhole whether others are meant as well
+     */
+    record Array(Referent one, boolean isWhole) implements Referent {
+
+        /** Of what is no element, itself. */
+        public static Referent around(Referent one) {
+            return ArrayNames.isElement(one.name()) ? new Array(one, false) : one;
+        }
+
+        /** Of what is no element, itself; of an element, all that are declared with it. */
+        public static Referent whole(Referent one) {
+            return ArrayNames.isElement(one.name()) ? new Array(one, true) : one;
+        }
+
+        Array and(Referent other) {
+            return isWhole || one.equals(other.one()) ? this : new Array(one, true);
+        }
+
+        private Span written() {
+            return one.declaration().orElseThrow();
+        }
+
+        /** How many elements it has, as it is written. */
+        public String size() {
+            return ArrayNames.writtenSize(written());
+        }
+
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.array(this);
+        }
+
+        @Override
+        public Declared declared() {
+            String name = ArrayNames.array(one.name());
+            return Declared.at(ArrayNames.word(written(), name), one.kind(), name);
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return one.typeReferent();
+        }
+
+        /** By where it is declared, whichever element is looked at. */
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Array array
+                    && array.kind() == kind()
+                    && array.declaration().equals(declaration());
+        }
+
+        @Override
+        public int hashCode() {
+            return declaration().hashCode();
+        }
+    }
+
+    /** What a quantifier or {@code let} has given a name to. */
+    record Bound(Unfolded.Bound bound) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.bound(this);
+        }
+
+        @Override
+        public Declared declared() {
+            return Declared.at(bound.name().span(), Kind.BOUND, bound.name().text());
+        }
+
+        /** A deep tree has no place in a hash. */
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Bound read && read.bound.name().equals(bound.name());
+        }
+
+        @Override
+        public int hashCode() {
+            return bound.name().hashCode();
+        }
+    }
+
     record Parameter(ParameterSymbol symbol) implements Referent {
         @Override
         public <R> R match(ReferentCases<R> cases) {
@@ -345,6 +440,23 @@ public sealed interface Referent {
         @Override
         public Optional<Referent> typeReferent() {
             return ofType(symbol.type());
+        }
+    }
+
+    /**
+     * What may be chosen of a component.
+     *
+     * @param component the name of that
+     */
+    record Feature(Name written, String component) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.feature(this);
+        }
+
+        @Override
+        public Declared declared() {
+            return Declared.at(written.span(), Kind.FEATURE, written.text());
         }
     }
 

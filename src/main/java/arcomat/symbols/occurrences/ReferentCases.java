@@ -28,7 +28,13 @@ public interface ReferentCases<R> {
 
     R variable(Referent.Variable variable);
 
+    R array(Referent.Array array);
+
+    R bound(Referent.Bound bound);
+
     R parameter(Referent.Parameter parameter);
+
+    R feature(Referent.Feature feature);
 
     R state(Referent.State state);
 

@@ -25,6 +25,8 @@ record SuitePlaces(NamePlaces places, ExpressionPlaces expressions) {
                                         suite.node().component().parts(),
                                         new Referent.Component(component.signature())));
         expressions.arguments(suite.arguments());
+        new FeaturePlaces(places, Optional.empty())
+                .arguments(suite.node().arguments(), suite.named());
         for (VariableSymbol field : suite.fields()) {
             places.declared(field.nameSpan(), new Referent.Variable(field));
             field.initial().ifPresent(expressions::in);

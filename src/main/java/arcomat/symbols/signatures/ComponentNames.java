@@ -1,5 +1,6 @@
 package arcomat.symbols.signatures;
 
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.TypeVariable;
@@ -24,7 +25,20 @@ final class ComponentNames {
                 }
             }
         }
-        return place.declaration().unitScope().type(name);
+        Resolution<TypeSymbol> found = place.declaration().unitScope().type(name);
+        return found.found().orElse(null) instanceof JavaType && isInner(place, name)
+                ? Resolution.unknown()
+                : found;
+    }
+
+    /** A component hides what Java alone calls by this name. */
+    private static boolean isInner(Signature place, QualifiedName name) {
+        for (Signature c = place; c != null; c = c.enclosing().orElse(null)) {
+            if (!inside(c, name).isEmpty()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** An inner component, also of those around and above, or one that the file reaches. */

@@ -245,8 +245,12 @@ public final class Signature {
 
     /** The components named behind {@code refines}. */
     public List<Refinement> refines() {
-        return node().refines().stream()
-                .map(name -> new Refinement(name, chosen(resolveComponent(name), List.of())))
+        return node().refined().stream()
+                .map(
+                        each ->
+                                new Refinement(
+                                        each.name(),
+                                        chosen(resolveComponent(each.name()), each.arguments())))
                 .toList();
     }
 

@@ -25,7 +25,8 @@ public record Timing(Optional<Element.Timing> node, boolean eventDriven, int del
         Optional<Element.Timing> place = Optional.of(node);
         return switch (node.kind()) {
             case INSTANT, SYNC -> new Timing(place, false, 0);
-            case DELAYED, CAUSALSYNC -> new Timing(place, false, 1);
+            // Nothing but the delay of what others see: no behaviour has this time here.
+            case DELAYED, CAUSALSYNC, TIMED -> new Timing(place, false, 1);
             case UNTIMED -> new Timing(place, true, 0);
         };
     }

@@ -54,7 +54,7 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
     @Override
     public AutomatonElement visitPlainDeclaration(ArcomatParser.PlainDeclarationContext context) {
         List<Variable> variables = new ArrayList<>();
-        variables.add(phrases.variable(context.valuedVariable()));
+        variables.addAll(phrases.variables(context.valuedVariable()));
         variables.addAll(phrases.variables(context.variable()));
         return new AutomatonElement.Declaration(
                 span(context),

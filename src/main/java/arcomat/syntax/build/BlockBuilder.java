@@ -31,7 +31,7 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
 
     private Block.Item message(ArcomatParser.ItemContext context) {
         return new Block.Message(
-                span(context), phrases.optionalName(context.name()), value(context.value()));
+                span(context), optional(context.place(), phrases::place), value(context.value()));
     }
 
     /** Several are alternatives, as the tools of 2016 wrote them: {@code a | b}. */
@@ -47,7 +47,7 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
     private Block.Item increment(ArcomatParser.ItemContext context) {
         boolean up = context.operator.getText().equals("++");
         return new Block.Increment(
-                span(context), phrases.qualifiedName(context.qualifiedName()), up);
+                span(context), phrases.qualifiedPlace(context.qualifiedPlace()), up);
     }
 
     /** Values of items and cells of I/O tables. */

@@ -9,6 +9,7 @@ import arcomat.tree.Component.Parameter;
 import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
+import arcomat.tree.Name;
 
 import org.antlr.v4.runtime.Token;
 
@@ -33,7 +34,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
             List<Token> tokens) {
         super(phrases);
         this.automata = automata;
-        this.computations = new Computations(phrases, automata.statements);
+        this.computations = new Computations(phrases, automata.statements, tokens);
         this.values = values;
         this.tokens = tokens;
     }
@@ -55,9 +56,17 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 parameters == null ? List.of() : each(parameters.parameter(), this::parameter),
                 optional(context.superType, phrases::type),
                 optional(context.superArguments, phrases.expressions::given),
-                phrases.qualifiedNames(context.refined),
+                each(context.refined, this::refined),
                 optional(context.namedInstance(), this::namedInstance),
                 Computations.begun(buildAll(context.element())));
+    }
+
+    private Component.Refined refined(ArcomatParser.RefinedComponentContext context) {
+        return new Component.Refined(
+                span(context),
+                phrases.qualifiedName(context.qualifiedName()),
+                optional(context.componentArguments(), phrases.expressions::given)
+                        .orElse(List.of()));
     }
 
     private static boolean hasModifier(ArcomatParser.ComponentContext context, String word) {
@@ -121,7 +130,20 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 phrases.stereotypes(context.stereotypes()),
                 in ? Element.Direction.IN : Element.Direction.OUT,
                 phrases.type(context.type()),
-                phrases.names(context.name()));
+                names(context));
+    }
+
+    private List<Name> names(ArcomatParser.PortContext context) {
+        return context.declared().stream().flatMap(each -> names(context, each).stream()).toList();
+    }
+
+    /** A size behind the type is that of each name without one. */
+    private List<Name> names(
+            ArcomatParser.PortContext context, ArcomatParser.DeclaredContext declared) {
+        return context.size() == null || declared.size() != null
+                ? phrases.declared(declared)
+                : phrases.elements(
+                        span(context.size().start, declared.stop), declared, context.size());
     }
 
     @Override
@@ -131,22 +153,23 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 phrases.stereotypes(context.stereotypes()),
                 phrases.type(context.type()),
                 phrases.expressions.given(context.componentArguments()),
-                each(context.instance(), this::instance));
+                context.instance().stream().flatMap(each -> instances(each).stream()).toList());
     }
 
-    private Element.Instance instance(ArcomatParser.InstanceContext context) {
-        return new Element.Instance(
-                span(context),
-                phrases.name(context.name()),
-                each(context.simpleConnector(), this::simpleConnector));
+    private List<Element.Instance> instances(ArcomatParser.InstanceContext context) {
+        List<Element.SimpleConnector> connectors =
+                each(context.simpleConnector(), this::simpleConnector);
+        return phrases.declared(context.declared()).stream()
+                .map(name -> new Element.Instance(span(context), name, connectors))
+                .toList();
     }
 
     private Element.SimpleConnector simpleConnector(ArcomatParser.SimpleConnectorContext context) {
         return new Element.SimpleConnector(
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
-                phrases.qualifiedName(context.source),
-                phrases.qualifiedNames(context.targets));
+                phrases.qualifiedPlace(context.source),
+                phrases.qualifiedPlaces(context.targets));
     }
 
     @Override
@@ -154,8 +177,8 @@ final class ComponentBuilder extends TreeBuilder<Element> {
         return new Element.Connector(
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
-                phrases.qualifiedName(context.source),
-                phrases.qualifiedNames(context.targets));
+                phrases.qualifiedPlace(context.source),
+                phrases.qualifiedPlaces(context.targets));
     }
 
     @Override
@@ -251,8 +274,8 @@ final class ComponentBuilder extends TreeBuilder<Element> {
         return new IoTable(
                 span(context),
                 phrases.stereotypes(context.stereotypes()),
-                inputs == null ? List.of() : phrases.names(inputs.name()),
-                outputs == null ? List.of() : phrases.names(outputs.name()),
+                inputs == null ? List.of() : phrases.places(inputs.place()),
+                outputs == null ? List.of() : phrases.places(outputs.place()),
                 each(context.row(), this::row));
     }
 

@@ -11,6 +11,7 @@ import arcomat.tree.Statement;
 import arcomat.tree.Stereotype;
 
 import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
 
 import java.util.List;
 import java.util.Optional;
@@ -25,21 +26,33 @@ final class Computations {
 
     private final Phrases phrases;
     private final StatementBuilder statements;
+    private final List<Token> tokens;
 
-    Computations(Phrases phrases, StatementBuilder statements) {
+    /**
+     * @param tokens all those of the file
+     */
+    Computations(Phrases phrases, StatementBuilder statements, List<Token> tokens) {
         this.phrases = phrases;
         this.statements = statements;
+        this.tokens = tokens;
     }
 
     Element element(ArcomatParser.ComputationContext context) {
         String keyword = context.keyword.getText();
         Optional<Name> name = phrases.optionalName(context.name());
         if (context.statements() == null) {
-            return java(context, keyword, name, context.javaBlock());
+            ArcomatParser.JavaBlockContext block = context.javaBlock();
+            return java(
+                    context,
+                    keyword,
+                    name,
+                    block,
+                    NoStatement.in(block, tokens).map(token -> phrases.span(token, token)));
         }
         Statement.Sequence sequence = statements.sequence(context.statements());
-        if (sequence.match(new JavaWords())) {
-            return java(context, keyword, name, context.statements());
+        Optional<Span> java = sequence.match(new JavaWords());
+        if (java.isPresent()) {
+            return java(context, keyword, name, context.statements(), java);
         }
         if (keyword.equals("init")) {
             return new Element.Start(phrases.span(context.start, context.stop), name, sequence);
@@ -59,12 +72,14 @@ final class Computations {
             ArcomatParser.ComputationContext context,
             String keyword,
             Optional<Name> name,
-            ParserRuleContext body) {
+            ParserRuleContext body,
+            Optional<Span> first) {
         return new Element.JavaPart(
                 phrases.span(context.start, context.stop),
                 keyword,
                 name,
-                phrases.span(body.start, body.stop).text());
+                phrases.span(body.start, body.stop).text(),
+                first.map(span -> new Name(span, span.text().replaceAll("\\s+", ""))));
     }
 
     private static Automaton automaton(
@@ -141,14 +156,22 @@ final class Computations {
     private static Element asJava(Element element) {
         if (element instanceof Element.Start start) {
             return new Element.JavaPart(
-                    start.span(), "init", start.name(), start.statements().span().text());
+                    start.span(),
+                    "init",
+                    start.name(),
+                    start.statements().span().text(),
+                    Optional.empty());
         }
         if (element instanceof Behaviour.Computation computation) {
             Automaton automaton = computation.automaton();
             Statement.Sequence statements =
                     automaton.elements(AutomatonElement.Transition.class).get(0).actions().get();
             return new Element.JavaPart(
-                    computation.span(), "compute", automaton.name(), statements.span().text());
+                    computation.span(),
+                    "compute",
+                    automaton.name(),
+                    statements.span().text(),
+                    Optional.empty());
         }
         return element;
     }

@@ -11,10 +11,15 @@ import arcomat.tree.Expression.BinaryOperator;
 import arcomat.tree.Expression.Call;
 import arcomat.tree.Expression.Cast;
 import arcomat.tree.Expression.Conditional;
+import arcomat.tree.Expression.Domain;
+import arcomat.tree.Expression.Indexed;
 import arcomat.tree.Expression.InstanceOf;
 import arcomat.tree.Expression.JavaExpression;
+import arcomat.tree.Expression.Let;
 import arcomat.tree.Expression.Literal;
+import arcomat.tree.Expression.Member;
 import arcomat.tree.Expression.Membership;
+import arcomat.tree.Expression.Quantified;
 import arcomat.tree.Expression.Reference;
 import arcomat.tree.Expression.Unary;
 import arcomat.tree.Expression.UnaryOperator;
@@ -115,8 +120,53 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
                 parts.add(name);
                 return new Reference(span, new QualifiedName(span, List.copyOf(parts)));
             }
+            if (target instanceof Indexed indexed) {
+                return indexed(span, indexed.steps(), step(name));
+            }
         }
+        if (suffix instanceof ArcomatParser.IndexSuffixContext index && isName) {
+            return element(span, target, index).orElseGet(() -> java(span));
+        }
+        return java(span);
+    }
+
+    private static Expression java(Span span) {
         return new JavaExpression(span, span.text());
+    }
+
+    /** The last name of a path, with its number. */
+    private Optional<Expression> element(
+            Span span, Expression target, ArcomatParser.IndexSuffixContext suffix) {
+        List<Indexed.Step> before = steps(target);
+        if (before.isEmpty() || before.get(before.size() - 1).index().isPresent()) {
+            return Optional.empty();
+        }
+        Name array = before.get(before.size() - 1).name();
+        Span place = array.span().to(span(suffix.start, suffix.stop));
+        return Optional.of(
+                indexed(
+                        span,
+                        before.subList(0, before.size() - 1),
+                        new Indexed.Step(place, array, Optional.of(build(suffix.expression())))));
+    }
+
+    private static List<Indexed.Step> steps(Expression target) {
+        if (target instanceof Indexed indexed) {
+            return indexed.steps();
+        }
+        return target instanceof Reference reference
+                ? reference.name().parts().stream().map(ExpressionBuilder::step).toList()
+                : List.of();
+    }
+
+    private static Indexed.Step step(Name name) {
+        return new Indexed.Step(name.span(), name, Optional.empty());
+    }
+
+    private static Indexed indexed(Span span, List<Indexed.Step> before, Indexed.Step last) {
+        List<Indexed.Step> steps = new ArrayList<>(before);
+        steps.add(last);
+        return new Indexed(span, steps);
     }
 
     @Override
@@ -261,6 +311,37 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     public Expression visitAbsenceExpression(ArcomatParser.AbsenceExpressionContext context) {
         boolean present = context.operator.getText().equals("!=");
         return new Absence(span(context), build(context.expression()), present);
+    }
+
+    @Override
+    public Expression visitQuantifiedExpression(ArcomatParser.QuantifiedExpressionContext context) {
+        return new Quantified(
+                span(context),
+                context.quantifier.getText().equals("forall"),
+                phrases.name(context.name()),
+                domain(context.domain()),
+                build(context.expression()));
+    }
+
+    private Domain domain(ArcomatParser.DomainContext context) {
+        if (context instanceof ArcomatParser.NamedDomainContext named) {
+            return new Domain(span(context), Optional.of(phrases.type(named.type())), List.of());
+        }
+        var members = (ArcomatParser.MemberDomainContext) context;
+        return new Domain(span(context), Optional.empty(), each(members.member(), this::member));
+    }
+
+    private Member member(ArcomatParser.MemberContext context) {
+        return new Member(span(context), build(context.low), optional(context.high, this::build));
+    }
+
+    @Override
+    public Expression visitLetExpression(ArcomatParser.LetExpressionContext context) {
+        return new Let(
+                span(context),
+                phrases.name(context.name()),
+                build(context.expression(0)),
+                build(context.expression(1)));
     }
 
     @Override

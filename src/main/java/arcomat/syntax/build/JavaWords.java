@@ -1,5 +1,6 @@
 package arcomat.syntax.build;
 
+import arcomat.source.Span;
 import arcomat.tree.Block;
 import arcomat.tree.Expression;
 import arcomat.tree.Statement;
@@ -9,12 +10,13 @@ import arcomat.tree.Variable;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
- * Whether what parses as statements is Java all the same: it calls methods, makes objects, asks for
- * their classes, or has types that only Java has.
+ * What is Java in what parses as statements all the same: a call of a method, an object that is
+ * made or asked for its class, a type that only Java has. The first of these.
  */
-final class JavaWords implements Statement.Cases<Boolean> {
+final class JavaWords implements Statement.Cases<Optional<Span>> {
     /** Of expressions. */
     private static final Set<Class<? extends Expression>> FORMS =
             Set.of(
@@ -23,44 +25,50 @@ final class JavaWords implements Statement.Cases<Boolean> {
                     Expression.InstanceOf.class);
 
     @Override
-    public Boolean sequence(Statement.Sequence sequence) {
-        return sequence.statements().stream().anyMatch(each -> each.match(this));
+    public Optional<Span> sequence(Statement.Sequence sequence) {
+        return first(sequence.statements().stream().map(each -> each.match(this)));
     }
 
     @Override
-    public Boolean assignment(Statement.Assignment assignment) {
-        return isIn(assignment.message().value());
+    public Optional<Span> assignment(Statement.Assignment assignment) {
+        return in(assignment.message().value());
     }
 
     @Override
-    public Boolean choice(Statement.Choice choice) {
-        return isIn(choice.condition())
-                || choice.then().match(this)
-                || choice.otherwise().map(each -> each.match(this)).orElse(false);
+    public Optional<Span> choice(Statement.Choice choice) {
+        return in(choice.condition())
+                .or(() -> choice.then().match(this))
+                .or(() -> choice.otherwise().flatMap(each -> each.match(this)));
     }
 
     @Override
-    public Boolean locals(Statement.Locals locals) {
+    public Optional<Span> locals(Statement.Locals locals) {
         TypeReference type = locals.type();
-        return !type.arguments().isEmpty()
-                || type.dimensions() > 0
-                || locals.variables().stream()
-                        .map(Variable::initial)
-                        .flatMap(Optional::stream)
-                        .anyMatch(JavaWords::isIn);
+        return !type.arguments().isEmpty() || type.dimensions() > 0
+                ? Optional.of(type.span())
+                : first(
+                        locals.variables().stream()
+                                .map(Variable::initial)
+                                .flatMap(Optional::stream)
+                                .map(JavaWords::in));
     }
 
-    private static boolean isIn(Block.Value value) {
+    private static Optional<Span> in(Block.Value value) {
         if (value instanceof Block.Single single) {
-            return isIn(single.expression());
+            return in(single.expression());
         }
         List<Expression> messages =
                 value instanceof Block.Sequence sequence ? sequence.messages() : List.of();
-        return messages.stream().anyMatch(JavaWords::isIn);
+        return first(messages.stream().map(JavaWords::in));
     }
 
-    private static boolean isIn(Expression expression) {
+    private static Optional<Span> in(Expression expression) {
         return FORMS.contains(expression.getClass())
-                || expression.operands().stream().anyMatch(JavaWords::isIn);
+                ? Optional.of(expression.span())
+                : first(expression.operands().stream().map(JavaWords::in));
+    }
+
+    private static Optional<Span> first(Stream<Optional<Span>> found) {
+        return found.flatMap(Optional::stream).findFirst();
     }
 }

@@ -7,6 +7,7 @@ import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Expression;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
@@ -77,6 +78,38 @@ final class Phrases {
 
     List<Name> names(List<ArcomatParser.NameContext> contexts) {
         return each(contexts, this::name);
+    }
+
+    /** An element of an array is named by its number, however that is written. */
+    Name place(ArcomatParser.PlaceContext context) {
+        Name name = name(context.name());
+        return context.index == null
+                ? name
+                : ArrayBuilder.element(span(context), name, ArrayBuilder.number(context.index));
+    }
+
+    List<Name> places(List<ArcomatParser.PlaceContext> contexts) {
+        return each(contexts, this::place);
+    }
+
+    QualifiedName qualifiedPlace(ArcomatParser.QualifiedPlaceContext context) {
+        return qualifiedName(places(context.place()));
+    }
+
+    List<QualifiedName> qualifiedPlaces(List<ArcomatParser.QualifiedPlaceContext> contexts) {
+        return each(contexts, this::qualifiedPlace);
+    }
+
+    /** The elements of an array, or the one thing that is no array. */
+    List<Name> declared(ArcomatParser.DeclaredContext context) {
+        return context.size() == null
+                ? List.of(name(context.name()))
+                : elements(span(context), context, context.size());
+    }
+
+    List<Name> elements(
+            Span span, ArcomatParser.DeclaredContext context, ArcomatParser.SizeContext size) {
+        return ArrayBuilder.elements(span, name(context.name()), ArrayBuilder.number(size.count));
     }
 
     QualifiedName qualifiedName(ArcomatParser.QualifiedNameContext context) {
@@ -204,20 +237,26 @@ final class Phrases {
     }
 
     List<Variable> variables(List<ArcomatParser.VariableContext> contexts) {
-        return each(contexts, this::variable);
+        return contexts.stream().flatMap(each -> variables(each).stream()).toList();
     }
 
-    private Variable variable(ArcomatParser.VariableContext context) {
-        return new Variable(
+    private List<Variable> variables(ArcomatParser.VariableContext context) {
+        return variables(
                 span(context),
-                name(context.name()),
+                context.declared(),
                 optional(context.expression(), expressions::build));
     }
 
-    Variable variable(ArcomatParser.ValuedVariableContext context) {
-        return new Variable(
+    List<Variable> variables(ArcomatParser.ValuedVariableContext context) {
+        return variables(
                 span(context),
-                name(context.name()),
+                context.declared(),
                 Optional.of(expressions.build(context.expression())));
+    }
+
+    /** All elements of an array begin with one value. */
+    private List<Variable> variables(
+            Span span, ArcomatParser.DeclaredContext declared, Optional<Expression> initial) {
+        return declared(declared).stream().map(name -> new Variable(span, name, initial)).toList();
     }
 }

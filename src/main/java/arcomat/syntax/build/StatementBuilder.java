@@ -67,14 +67,14 @@ final class StatementBuilder extends TreeBuilder<Statement> {
 
     @Override
     public Statement visitAssignment(ArcomatParser.AssignmentContext context) {
-        return assignment(context, phrases.name(context.name()), values.build(context.value()));
+        return assignment(context, phrases.place(context.place()), values.build(context.value()));
     }
 
     @Override
     public Statement visitChangeStatement(ArcomatParser.ChangeStatementContext context) {
         return change(
                 context,
-                context.name(),
+                context.place(),
                 context.operator,
                 phrases.expressions.build(context.expression()));
     }
@@ -84,17 +84,17 @@ final class StatementBuilder extends TreeBuilder<Statement> {
         Span one = span(context.operator, context.operator);
         return change(
                 context,
-                context.name(),
+                context.place(),
                 context.operator,
                 new Expression.Literal(one, Expression.Literal.Kind.INT, "1"));
     }
 
     private Statement change(
             ArcomatParser.StatementContext context,
-            ArcomatParser.NameContext target,
+            ArcomatParser.PlaceContext target,
             Token operator,
             Expression amount) {
-        Name name = phrases.name(target);
+        Name name = phrases.place(target);
         Expression before =
                 new Expression.Reference(
                         name.span(), new QualifiedName(name.span(), List.of(name)));

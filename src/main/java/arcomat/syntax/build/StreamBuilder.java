@@ -17,14 +17,12 @@ import arcomat.tree.TestSuite.Tick;
 
 import org.antlr.v4.runtime.Token;
 
-import java.math.BigInteger;
 import java.util.List;
 import java.util.Optional;
 
 /** Streams of stream tests. */
 final class StreamBuilder extends TreeBuilder<StreamElement> {
     private static final String TICK = "Tk";
-    private static final BigInteger LARGEST = BigInteger.valueOf(Integer.MAX_VALUE);
 
     StreamBuilder(Phrases phrases) {
         super(phrases);
@@ -33,14 +31,14 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
     PortStream portStream(ArcomatParser.PortStreamContext context) {
         return new PortStream(
                 span(context),
-                phrases.qualifiedName(context.qualifiedName()),
+                phrases.qualifiedPlace(context.qualifiedPlace()),
                 elements(context.stream()));
     }
 
     PortStream eventStream(ArcomatParser.EventStreamContext context) {
         return new PortStream(
                 span(context),
-                phrases.qualifiedName(context.qualifiedName()),
+                phrases.qualifiedPlace(context.qualifiedPlace()),
                 context.stream() == null
                         ? List.of(build(context.streamElement()))
                         : elements(context.stream()));
@@ -57,12 +55,18 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
 
     @Override
     public StreamElement visitRepeatedMessage(ArcomatParser.RepeatedMessageContext context) {
-        return new Repeat(span(context), count(context.count), List.of(build(context.message())));
+        return new Repeat(
+                span(context),
+                ArrayBuilder.number(context.count),
+                List.of(build(context.message())));
     }
 
     @Override
     public StreamElement visitRepeatedGroup(ArcomatParser.RepeatedGroupContext context) {
-        return new Repeat(span(context), count(context.count), buildAll(context.streamElement()));
+        return new Repeat(
+                span(context),
+                ArrayBuilder.number(context.count),
+                buildAll(context.streamElement()));
     }
 
     @Override
@@ -105,19 +109,5 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
                 target,
                 name.last(),
                 phrases.expressions.arguments(context.arguments()));
-    }
-
-    /** A count beyond all reason stays beyond all reason: it is cut to the largest int. */
-    private static int count(Token token) {
-        String digits = token.getText().replace("_", "");
-        BigInteger value;
-        if (digits.startsWith("0x") || digits.startsWith("0X")) {
-            value = new BigInteger(digits.substring(2), 16);
-        } else if (digits.startsWith("0b") || digits.startsWith("0B")) {
-            value = new BigInteger(digits.substring(2), 2);
-        } else {
-            value = new BigInteger(digits);
-        }
-        return value.min(LARGEST).intValue();
     }
 }

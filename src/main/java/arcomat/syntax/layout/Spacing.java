@@ -63,6 +63,8 @@ final class Spacing {
                     parent instanceof ArcomatParser.TypeSuffixContext
                             || parent instanceof ArcomatParser.SuffixContext
                             || parent instanceof ArcomatParser.CreatorContext
+                            || parent instanceof ArcomatParser.PlaceContext
+                            || parent instanceof ArcomatParser.SizeContext
                             || parent instanceof ArcomatParser.ParametersContext;
             case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);

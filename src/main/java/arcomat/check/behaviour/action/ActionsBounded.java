@@ -137,10 +137,7 @@ public final class ActionsBounded implements Check.OnActions {
         }
 
         private long size(Typed value) {
-            long[] size = {0};
-            value.expression()
-                    .walk(each -> size[0] = Math.min(TOO_MUCH, size[0] + sizeOfPart(each)));
-            return size[0];
+            return value.size(this::sizeOfPart, TOO_MUCH);
         }
 
         private long sizeOfPart(TypedExpression part) {

@@ -11,7 +11,9 @@ import java.util.List;
 public final class ExpressionLaws {
     public static final List<Law> LAWS =
             List.of(
+                    error("ARC0346", new BoundNameFree()),
                     error("ARC0323", new DivisionByZeroLiteral()),
+                    error("ARC0347", new FiniteDomain()),
                     error("ARC0309", new InitialReadsNoInput()),
                     error("ARC0331", new LiteralFits()),
                     error("ARC0322", new LiteralInRange()),
@@ -19,7 +21,7 @@ public final class ExpressionLaws {
                     error("ARC0330", new OperandTypes()),
                     error("ARC0308", new OutputPortNotRead()),
                     error("ARC0332", new RangeWellFormed()),
-                    error("ARC0319", new SupportedExpression()));
+                    error("ARC0319", new SupportedExpression()).needing(NAMES));
 
     private ExpressionLaws() {}
 }

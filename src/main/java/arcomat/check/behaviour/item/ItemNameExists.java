@@ -1,6 +1,7 @@
 package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
+import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Name;
 
@@ -9,7 +10,9 @@ public final class ItemNameExists implements Check.OnItem {
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
-        if (item.hasName() && item.target().isUnknown()) {
+        boolean mayBeInherited =
+                context.component().filter(ComponentSymbol::lacksAncestor).isPresent();
+        if (item.hasName() && item.target().isUnknown() && !mayBeInherited) {
             Name name = item.node().name().orElseThrow();
             String kind = item.side() == ItemSymbol.Side.INPUT ? "input" : "output";
             findings.reportUnknown(

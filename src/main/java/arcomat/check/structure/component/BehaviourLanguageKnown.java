@@ -18,7 +18,7 @@ public final class BehaviourLanguageKnown implements Check.OnComponent {
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
         for (Behaviour.Foreign behaviour : component.node().elements(Behaviour.Foreign.class)) {
-            if (behaviour.automata().isEmpty()) {
+            if (behaviour.automata().isEmpty() && !component.readings().containsKey(behaviour)) {
                 report(behaviour.keyword(), findings);
             }
         }

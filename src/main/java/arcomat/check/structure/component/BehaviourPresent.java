@@ -1,6 +1,5 @@
 package arcomat.check.structure.component;
 
-import arcomat.check.facts.Connections;
 import arcomat.check.facts.MeantParts;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -18,7 +17,7 @@ public final class BehaviourPresent implements Check.OnComponent {
                         || !component.automata().isEmpty()
                         || !component.tables().isEmpty();
         boolean isExcused =
-                Connections.lacksAncestor(component)
+                component.lacksAncestor()
                         || !MeantParts.in(component).isEmpty()
                         || !component.node().elements(Element.JavaPart.class).isEmpty()
                         || !component.node().elements(Behaviour.Foreign.class).isEmpty();

@@ -36,6 +36,7 @@ public final class ComponentLaws {
                     executableError("ARC0126", new SingleAutomaton()),
                     error("ARC0112", new SubcomponentAcyclic()),
                     error("ARC0135", new SuperArgumentsSmall()),
+                    error("ARC0146", new TimedBehaviour()),
                     error("ARC0101", new TopLevelComponentWithoutInstance()));
 
     private ComponentLaws() {}

@@ -5,6 +5,7 @@ import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.expressions.VariableSymbol.Kind;
+import arcomat.symbols.signatures.BehaviourReader.Reading;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Element;
 
@@ -32,6 +33,11 @@ public final class ComponentVariableConstant implements Check.OnVariable {
                         .anyMatch(fields -> fields.contains(variable))
                 || !component.node().elements(Element.JavaPart.class).isEmpty()
                 || component.node().elements(Behaviour.Foreign.class).stream()
-                        .anyMatch(each -> each.automata().isEmpty());
+                        .anyMatch(each -> isUnread(each, component));
+    }
+
+    private static boolean isUnread(Behaviour.Foreign behaviour, ComponentSymbol component) {
+        Reading reading = component.readings().get(behaviour);
+        return behaviour.automata().isEmpty() && (reading == null || reading.automaton().isEmpty());
     }
 }

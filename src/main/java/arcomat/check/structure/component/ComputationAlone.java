@@ -21,6 +21,7 @@ public final class ComputationAlone implements Check.OnComponent {
         Optional<Computation> computation =
                 component.node().elements(Computation.class).stream().findFirst();
         computation.ifPresent(first -> others(first, component, findings));
+        computation.ifPresent(first -> inherited(first, component, findings));
         starts(computation.isPresent(), component, findings);
     }
 
@@ -38,6 +39,27 @@ public final class ComputationAlone implements Check.OnComponent {
                                                 + " stands beside it; write one of the two",
                                 component.name())
                         .related(word(computation.span(), "compute"), "computed here");
+            }
+        }
+    }
+
+    /** A computation may take the place of another one. */
+    private static void inherited(
+            Computation computation, ComponentSymbol component, Findings findings) {
+        for (ComponentSymbol ancestor : component.lineage()) {
+            Optional<Behaviour> behaviour =
+                    ancestor.node().elements(Behaviour.class).stream()
+                            .filter(each -> !(each instanceof Computation))
+                            .findFirst();
+            if (ancestor != component && behaviour.isPresent()) {
+                findings.report(
+                                word(computation.span(), "compute"),
+                                "'compute' says all that component '%s' does, but it inherits what"
+                                        + " '%s' does; write one of the two",
+                                component.name(),
+                                ancestor.name())
+                        .related(behaviour.get().span().firstLine(), "inherited from here");
+                return;
             }
         }
     }

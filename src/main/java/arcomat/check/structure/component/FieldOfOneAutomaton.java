@@ -5,7 +5,6 @@ import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.Typed;
-import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.tree.Node;
 
@@ -35,13 +34,8 @@ public final class FieldOfOneAutomaton implements Check.OnItem, Check.OnExpressi
             return;
         }
         expression
-                .expression()
-                .walk(
-                        part -> {
-                            if (part instanceof TypedExpression.VariableRead read) {
-                                check(read.variable(), read.node(), context, findings);
-                            }
-                        });
+                .variablesRead()
+                .forEach(read -> check(read.variable(), read.node(), context, findings));
     }
 
     private static void check(

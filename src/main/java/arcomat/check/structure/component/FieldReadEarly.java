@@ -14,14 +14,7 @@ public final class FieldReadEarly implements Check.OnExpression {
     @Override
     public void check(Typed expression, Context context, Findings findings) {
         if (isEarly(context)) {
-            expression
-                    .expression()
-                    .walk(
-                            part -> {
-                                if (part instanceof TypedExpression.VariableRead read) {
-                                    check(read, context, findings);
-                                }
-                            });
+            expression.variablesRead().forEach(read -> check(read, context, findings));
         }
     }
 

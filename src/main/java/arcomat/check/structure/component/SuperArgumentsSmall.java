@@ -4,7 +4,6 @@ import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.GivenArgument;
 import arcomat.symbols.expressions.ParameterSymbol;
-import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.signatures.ComponentReference;
 import arcomat.symbols.signatures.Signature;
@@ -53,16 +52,12 @@ public final class SuperArgumentsSmall implements Check.OnComponent {
         for (ParameterSymbol parameter : above) {
             GivenArgument.find(heir.superArguments(), parameter)
                     .or(parameter::initial)
-                    .ifPresent(value -> sizes.put(parameter, size(value, sizes)));
+                    .ifPresent(
+                            value ->
+                                    sizes.put(
+                                            parameter,
+                                            value.size(part -> size(part, sizes), LARGEST + 1)));
         }
-    }
-
-    /** Sizes beyond the largest one are all alike, so that they do not overflow. */
-    private static long size(Typed value, Map<ParameterSymbol, Long> sizes) {
-        long[] size = {0};
-        value.expression()
-                .walk(part -> size[0] = Math.min(LARGEST + 1, size[0] + size(part, sizes)));
-        return size[0];
     }
 
     private static long size(TypedExpression part, Map<ParameterSymbol, Long> sizes) {

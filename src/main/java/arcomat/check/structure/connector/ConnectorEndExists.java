@@ -1,6 +1,5 @@
 package arcomat.check.structure.connector;
 
-import arcomat.check.facts.Connections;
 import arcomat.check.facts.MeantParts;
 import arcomat.check.law.Check;
 import arcomat.source.Fix;
@@ -21,7 +20,7 @@ public final class ConnectorEndExists implements Check.OnConnector {
     public void check(ConnectorSymbol connector, Context context, Findings findings) {
         ComponentSymbol component = context.component().orElseThrow();
         boolean unclear = connector.source().namesPart() || connector.target().namesPart();
-        if (unclear && !Connections.lacksAncestor(component)) {
+        if (unclear && !component.lacksAncestor()) {
             PartsWithoutPorts.report(connector, findings);
         }
         check(component, connector.source(), findings);
@@ -33,12 +32,12 @@ public final class ConnectorEndExists implements Check.OnConnector {
             case NO_SUCH_PORT -> reportPort(component, end, findings);
             case NO_SUCH_INSTANCE -> reportInstance(component, end, findings);
             case NO_SUCH_PORT_OF_INSTANCE -> reportPortOfInstance(end, findings);
-            case RESOLVED, COMPLETED, MALFORMED, EXCUSED -> {}
+            case RESOLVED, COMPLETED, MALFORMED, EXCUSED, OTHER_SIZE -> {}
         }
     }
 
     private static void reportPort(ComponentSymbol component, End end, Findings findings) {
-        if (Connections.lacksAncestor(component) || end.namesPart()) {
+        if (component.lacksAncestor() || end.namesPart()) {
             return;
         }
         String message = "component '" + component.name() + "' has no port '" + end.text() + "'";

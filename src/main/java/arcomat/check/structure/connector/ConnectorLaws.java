@@ -14,6 +14,7 @@ import java.util.List;
 public final class ConnectorLaws {
     public static final List<Law> LAWS =
             List.of(
+                    error("ARC0145", new ConnectedArraysFit()).needing(NAMES),
                     error("ARC0105", new ConnectorDirection()).needing(NAMES),
                     error("ARC0103", new ConnectorEndExists()).needing(NAMES),
                     error("ARC0102", new ConnectorEndForm()),

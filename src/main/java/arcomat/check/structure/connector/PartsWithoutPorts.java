@@ -86,8 +86,6 @@ final class PartsWithoutPorts {
     }
 
     private static String list(List<String> names) {
-        int more = names.size() - MOST_NAMED;
-        String shown = Wording.quoted(names.stream().limit(MOST_NAMED).toList());
-        return more <= 0 ? shown : shown + " and " + more + " more";
+        return Wording.firstOf(names.stream().map(name -> "'" + name + "'").toList(), MOST_NAMED);
     }
 }

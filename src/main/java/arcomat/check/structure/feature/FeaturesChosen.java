@@ -10,11 +10,11 @@ import arcomat.symbols.names.FeatureChoice;
 import arcomat.symbols.names.Variants;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Argument;
+import arcomat.tree.Component;
 import arcomat.tree.Element;
 import arcomat.tree.Expression;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
-import arcomat.tree.QualifiedName;
 
 import java.util.HashMap;
 import java.util.List;
@@ -44,17 +44,37 @@ public final class FeaturesChosen
                                                 heir.declaration().configuration()),
                                         above,
                                         findings));
-        for (QualifiedName name : heir.node().refines()) {
-            heir.resolveComponent(name)
+        for (Component.Refined refined : heir.node().refined()) {
+            heir.resolveComponent(refined.name())
                     .found()
-                    .filter(refined -> refined.declaration().isOpen())
-                    .ifPresent(
-                            refined ->
-                                    findings.report(
-                                            name,
-                                            "'%s' has features, and nobody chooses them here;"
-                                                    + " refine a component without",
-                                            refined.name()));
+                    .ifPresent(named -> refines(refined, heir, named.declaration(), findings));
+        }
+    }
+
+    /** Arguments that are no choices would mean nothing there. */
+    private static void refines(
+            Component.Refined refined,
+            Signature heir,
+            ComponentDeclaration named,
+            Findings findings) {
+        List<String> features = named.variants().map(Variants::names).orElse(List.of());
+        Optional<Argument> other =
+                refined.arguments().stream()
+                        .filter(
+                                each ->
+                                        each.name()
+                                                .filter(name -> features.contains(name.text()))
+                                                .isEmpty())
+                        .findFirst();
+        if (other.isPresent()) {
+            findings.report(
+                    other.get(),
+                    "behind 'refines' arguments choose features, and this chooses none of '%s';"
+                            + " delete it",
+                    named.name());
+        } else {
+            FeatureChoice around = heir.declaration().configuration();
+            check(new Use(refined.name(), refined.arguments(), around), named, findings);
         }
     }
 
@@ -111,10 +131,12 @@ public final class FeaturesChosen
     /** The first reason why no configuration is chosen. */
     private static void open(Use use, Variants variants, Findings findings) {
         List<String> left =
-                variants.names().stream().filter(name -> given(use, name).isEmpty()).toList();
+                variants.names().stream()
+                        .filter(name -> FeatureChoice.given(name, use.arguments()).isEmpty())
+                        .toList();
         Optional<Expression> unclear =
                 variants.names().stream()
-                        .flatMap(name -> given(use, name).stream())
+                        .flatMap(name -> FeatureChoice.given(name, use.arguments()).stream())
                         .filter(value -> use.around().holds(value).isEmpty())
                         .findFirst();
         if (!left.isEmpty()) {
@@ -132,13 +154,6 @@ public final class FeaturesChosen
         } else {
             forbidden(use, variants, findings);
         }
-    }
-
-    private static Optional<Expression> given(Use use, String feature) {
-        return use.arguments().stream()
-                .filter(each -> each.name().filter(name -> name.text().equals(feature)).isPresent())
-                .map(Argument::value)
-                .findFirst();
     }
 
     private static void forbidden(Use use, Variants variants, Findings findings) {

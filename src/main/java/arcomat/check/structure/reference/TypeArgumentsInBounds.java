@@ -3,7 +3,9 @@ package arcomat.check.structure.reference;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.TypeRules;
+import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.TypeVariable;
 import arcomat.symbols.names.UnknownType;
@@ -56,9 +58,6 @@ public final class TypeArgumentsInBounds implements Check.OnComponentUse {
         if (TypeRules.fits(type, limit)) {
             return true;
         }
-        if (type instanceof ClassSymbol symbol) {
-            return limit instanceof ClassSymbol && symbol.lineage().contains(limit);
-        }
         if (type instanceof TypeVariable variable) {
             for (TypeReference bound : variable.node().bounds()) {
                 var own = place.resolveType(bound).found();
@@ -66,7 +65,22 @@ public final class TypeArgumentsInBounds implements Check.OnComponentUse {
                     return true;
                 }
             }
+            return false;
         }
-        return false;
+        return isBelow(type, limit);
+    }
+
+    private static boolean isBelow(TypeSymbol type, TypeSymbol limit) {
+        if (limit instanceof JavaType java) {
+            return isBelow(type, java);
+        }
+        return type instanceof ClassSymbol symbol
+                && limit instanceof ClassSymbol
+                && symbol.lineage().contains(limit);
+    }
+
+    /** Of built-in types it is known what Java has above them. */
+    private static boolean isBelow(TypeSymbol type, JavaType limit) {
+        return !(type.base() instanceof BuiltinType builtin) || limit.isAbove(builtin);
     }
 }

@@ -1,0 +1,1 @@
+component Both refines p.Plain,Lamp( memory=true,alarm=! rich){feature rich;}

@@ -1,0 +1,3 @@
+component Both refines p.Plain, Lamp(memory = true, alarm = !rich) {
+  feature rich;
+}
