@@ -60,17 +60,17 @@ public record Graph(String title, List<Node> roots, Flow flow) {
             return new Node(mark, form, lines, List.of(), List.of(), List.of(), 0);
         }
 
-        String name() {
+        public String name() {
             return mark.name();
         }
 
         /** Whether it is drawn around others, and edges lead from inside to outside. */
-        boolean isBox() {
+        public boolean isBox() {
             return form == Form.ROUND && !children.isEmpty();
         }
 
         /** Its children, and those of boxes among them. */
-        List<Node> inside() {
+        public List<Node> inside() {
             List<Node> all = new ArrayList<>();
             for (Node child : children) {
                 all.add(child);
@@ -82,7 +82,7 @@ public record Graph(String title, List<Node> roots, Flow flow) {
         }
 
         /** Whether it shows what is inside. */
-        boolean isOpen() {
+        public boolean isOpen() {
             return !children.isEmpty() || !edges.isEmpty();
         }
     }
@@ -130,6 +130,16 @@ public record Graph(String title, List<Node> roots, Flow flow) {
      * @param port by name; empty for the node itself
      */
     public record End(Optional<String> node, Optional<String> port) {
+        /** The node it means, of who holds the edge and of those inside. */
+        public Node in(Node holder) {
+            return node.isEmpty()
+                    ? holder
+                    : holder.inside().stream()
+                            .filter(each -> each.name().equals(node.get()))
+                            .findFirst()
+                            .orElseThrow();
+        }
+
         static End of(String node) {
             return new End(Optional.of(node), Optional.empty());
         }

@@ -59,9 +59,6 @@ public final class LayeredLayout {
     /** Around the text of a node. */
     private static final double PADDING = 10;
 
-    /** Above and below the title of a node. */
-    static final double TITLE = 8;
-
     /** Around what is inside an open node. */
     private static final double INSIDE = 18;
 
@@ -69,9 +66,9 @@ public final class LayeredLayout {
     private static final double NARROWEST = 60;
     private static final double LOWEST = 34;
 
-    final Map<Node, ElkNode> nodes = new IdentityHashMap<>();
-    final Map<Graph.Port, ElkPort> ports = new IdentityHashMap<>();
-    final Map<Edge, List<ElkEdge>> edges = new IdentityHashMap<>();
+    private final Map<Node, ElkNode> nodes = new IdentityHashMap<>();
+    private final Map<Graph.Port, ElkPort> ports = new IdentityHashMap<>();
+    private final Map<Edge, List<ElkEdge>> edges = new IdentityHashMap<>();
 
     /** By junctions: there all edges to it end, and run side by side as one line. */
     private final Map<Node, ElkPort> meetings = new IdentityHashMap<>();
@@ -119,7 +116,8 @@ public final class LayeredLayout {
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
         graph.roots().forEach(node -> layout.add(node, root, true));
         new RecursiveGraphLayoutEngine().layout(root, new NullElkProgressMonitor());
-        return new PlacedPicture(layout).picture(graph, root);
+        LayoutPlaces places = new ElkPlaces(layout.nodes, layout.ports, layout.edges);
+        return PlacedPicture.of(graph, root.getWidth(), root.getHeight(), places);
     }
 
     private static boolean hasBoxes(List<Node> nodes) {
@@ -187,14 +185,15 @@ public final class LayeredLayout {
         if (node.isOpen()) {
             boolean crowded = node.edges().stream().anyMatch(edge -> !edge.captions().isEmpty());
             layered(made, node.children(), crowded);
-            double top = TextSize.ofLines(node.lines()).height() + 2 * TITLE + PADDING;
+            double top =
+                    TextSize.ofLines(node.lines()).height() + 2 * PlacedPicture.TITLE + PADDING;
             made.setProperty(LayeredOptions.PADDING, new ElkPadding(top, INSIDE, INSIDE, INSIDE));
             node.children().forEach(child -> add(child, made, false));
             if (node.children().stream().anyMatch(Node::isBox)) {
                 made.setProperty(
                         CoreOptions.HIERARCHY_HANDLING, HierarchyHandling.INCLUDE_CHILDREN);
             }
-            connect(node.edges(), node.inside(), node, made);
+            connect(node, made);
         }
     }
 
@@ -208,7 +207,7 @@ public final class LayeredLayout {
             return;
         }
         TextSize title = TextSize.ofLines(node.lines());
-        double top = title.height() + 2 * TITLE;
+        double top = title.height() + 2 * PlacedPicture.TITLE;
         if (node.isOpen() || !node.ports().isEmpty()) {
             IndividualSpacings spacings = new IndividualSpacings();
             spacings.setProperty(
@@ -244,7 +243,8 @@ public final class LayeredLayout {
         made.setProperty(
                 LayeredOptions.NODE_LABELS_PLACEMENT,
                 top ? NodeLabelPlacement.insideTopCenter() : NodeLabelPlacement.insideCenter());
-        made.setProperty(LayeredOptions.NODE_LABELS_PADDING, new ElkPadding(TITLE, PADDING));
+        made.setProperty(
+                LayeredOptions.NODE_LABELS_PADDING, new ElkPadding(PlacedPicture.TITLE, PADDING));
     }
 
     private static ElkLabel label(TextSize size, ElkGraphElement owner) {
@@ -263,10 +263,10 @@ public final class LayeredLayout {
         label(TextSize.ofLines(List.of(Graph.Line.small(port.label()))), made);
     }
 
-    private void connect(List<Edge> added, List<Node> children, Node owner, ElkNode holder) {
-        for (Edge edge : added) {
-            ElkConnectableShape source = end(edge.source(), children, owner);
-            ElkConnectableShape target = target(edge.target(), children, owner);
+    private void connect(Node owner, ElkNode holder) {
+        for (Edge edge : owner.edges()) {
+            ElkConnectableShape source = end(edge.source(), owner);
+            ElkConnectableShape target = target(edge.target(), owner);
             if (edge.source().node().isEmpty() && edge.target().node().isEmpty()) {
                 edges.put(edge, through(source, holder, target));
                 continue;
@@ -296,13 +296,13 @@ public final class LayeredLayout {
         return edge;
     }
 
-    private ElkConnectableShape target(Graph.End end, List<Node> children, Node owner) {
-        ElkPort meeting = meetings.get(node(end, children, owner));
-        return meeting != null ? meeting : end(end, children, owner);
+    private ElkConnectableShape target(Graph.End end, Node owner) {
+        ElkPort meeting = meetings.get(end.in(owner));
+        return meeting != null ? meeting : end(end, owner);
     }
 
-    private ElkConnectableShape end(Graph.End end, List<Node> children, Node owner) {
-        Node node = node(end, children, owner);
+    private ElkConnectableShape end(Graph.End end, Node owner) {
+        Node node = end.in(owner);
         if (end.port().isEmpty()) {
             return Objects.requireNonNull(nodes.get(node));
         }
@@ -312,14 +312,5 @@ public final class LayeredLayout {
                 .findFirst()
                 .map(ports::get)
                 .orElseThrow();
-    }
-
-    static Node node(Graph.End end, List<Node> children, Node owner) {
-        return end.node().isEmpty()
-                ? owner
-                : children.stream()
-                        .filter(child -> child.name().equals(end.node().get()))
-                        .findFirst()
-                        .orElseThrow();
     }
 }

@@ -88,13 +88,13 @@ public record Picture(String title, double width, double height, List<Element> e
     }
 
     public record Point(double x, double y) {
-        Point plus(double right, double down) {
+        public Point plus(double right, double down) {
             return new Point(x + right, y + down);
         }
     }
 
     public record Box(double x, double y, double width, double height) {
-        Box moved(double right, double down) {
+        public Box moved(double right, double down) {
             return new Box(x + right, y + down, width, height);
         }
     }

@@ -3,11 +3,12 @@ package arcomat.diagram;
 import java.util.List;
 
 /** How much room lines of text need, in whole pixels. */
-record TextSize(double width, double height) {
+public record TextSize(double width, double height) {
     /** Between captions of one arrow. */
     static final double GAP = 5;
 
-    static TextSize ofLines(List<Graph.Line> lines) {
+    /** Of lines below each other. */
+    public static TextSize ofLines(List<Graph.Line> lines) {
         double width = 0;
         double height = 0;
         for (Graph.Line line : lines) {
@@ -18,7 +19,7 @@ record TextSize(double width, double height) {
     }
 
     /** Below each other. */
-    static TextSize of(List<Graph.Caption> captions) {
+    public static TextSize of(List<Graph.Caption> captions) {
         double width = 0;
         double height = -GAP;
         for (Graph.Caption caption : captions) {

@@ -11,6 +11,7 @@ import arcomat.source.Span;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Findings for people: where, what, the source line, related places, what to do. */
 public final class FindingsText {
@@ -56,9 +57,7 @@ public final class FindingsText {
 
     /** A message may end in text to be copied, on lines of its own. */
     private static String message(Diagnostic finding) {
-        return finding.message()
-                .strip()
-                .lines()
+        return Stream.of(finding.message().strip().split("\n"))
                 .map(line -> line.isBlank() ? "" : "    " + Printable.escape(line))
                 .collect(Collectors.joining("\n"))
                 .strip();

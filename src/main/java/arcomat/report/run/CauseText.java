@@ -5,13 +5,13 @@ import arcomat.report.text.Printable;
 import arcomat.source.Span;
 
 /** Why an automaton made its step, in words. */
-final class CauseText {
+public final class CauseText {
     private static final int LONGEST = 90;
 
     private CauseText() {}
 
     /** The transition as the model has it, with its place; or the completion with its effect. */
-    static String of(Trace.Cause cause) {
+    public static String of(Trace.Cause cause) {
         if (cause instanceof Trace.Taken taken) {
             Span span = taken.transition().span();
             return withoutStates(span.text()) + "  " + shortPlace(span);

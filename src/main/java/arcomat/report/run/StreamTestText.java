@@ -100,7 +100,9 @@ public final class StreamTestText {
         result.failure()
                 .ifPresent(f -> out.append(INDENT).append(Printable.escape(f)).append('\n'));
         String table = sideBySide(result, style);
-        table.lines().forEach(line -> out.append(INDENT).append(line).append('\n'));
+        for (String line : table.split("\n")) {
+            out.append(INDENT).append(line).append('\n');
+        }
         return out.toString();
     }
 

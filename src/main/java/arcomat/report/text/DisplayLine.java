@@ -37,7 +37,7 @@ final class DisplayLine {
         if (c == '\t') {
             return " ".repeat(TAB - column % TAB);
         }
-        return Printable.escape(Character.toString(c));
+        return Printable.escape(new StringBuilder().appendCodePoint(c).toString());
     }
 
     /** Columns that a character takes on a terminal. */

@@ -64,10 +64,11 @@ public final class ConsistencyText {
         if (file.isPresent()) {
             return "wrote a controller that keeps them to " + Printable.escape(file.get()) + "\n";
         }
-        return text.lines().count() > LONGEST_CONTROLLER
+        List<String> lines = List.of(text.split("\n"));
+        return lines.size() > LONGEST_CONTROLLER
                 ? "a controller that keeps them is long; --out DIR writes it to a file\n"
                 : "\n"
-                        + text.lines()
+                        + lines.stream()
                                 .map(l -> "    " + l)
                                 .map(String::stripTrailing)
                                 .collect(Collectors.joining("\n", "", "\n\n"));

@@ -12,7 +12,9 @@ import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 import arcomat.source.Diagnostic;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Findings about automata, each with the shortest run to where it is seen. */
 public final class ExaminationText {
@@ -77,7 +79,9 @@ public final class ExaminationText {
         }
         int last = number;
         finding.witness().ifPresent(letter -> table.add(row(last, letter, "", "?")));
-        return table.render(style).indent(2);
+        return Arrays.stream(table.render(style).split("\n"))
+                .map(line -> "  " + line + "\n")
+                .collect(Collectors.joining());
     }
 
     private static List<String> row(int number, Letter input, String outputs, String state) {

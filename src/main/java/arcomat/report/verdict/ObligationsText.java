@@ -33,6 +33,17 @@ public final class ObligationsText {
                 + "\n";
     }
 
+    /** A line for each, then the failures at length, then how many there are. */
+    public static String all(List<Answered> answers, Style style) {
+        StringBuilder out = new StringBuilder();
+        answers.forEach(each -> out.append(line(each, style)));
+        answers.stream()
+                .filter(each -> each.verdict().answer() == Answer.FAILS)
+                .forEach(each -> out.append('\n').append(VerdictText.render(each, style)));
+        List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
+        return out + summary(verdicts, style) + "\n";
+    }
+
     public static String summary(List<Verdict> verdicts, Style style) {
         if (verdicts.isEmpty()) {
             return "nothing to verify: no component refines another one or has an invariant, and no"

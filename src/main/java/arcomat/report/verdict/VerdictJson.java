@@ -91,6 +91,11 @@ public record VerdictJson(
         return Json.text(of(verdict));
     }
 
+    /** What {@code refines} answers: a verdict, or one for each configuration with its names. */
+    public static String ofRefines(List<Answered> answers) {
+        return answers.size() == 1 ? render(answers.get(0).verdict()) : render(answers);
+    }
+
     /** Answers to many questions, with the names of both sides. */
     public static String render(List<Answered> answers) {
         return Json.text(answers.stream().map(Answer::of).toList());

@@ -100,7 +100,7 @@ public final class VerdictText {
     }
 
     /** Port by port. */
-    static List<String> inputs(Letter letter) {
+    public static List<String> inputs(Letter letter) {
         List<String> inputs = new ArrayList<>();
         letter.messages()
                 .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
@@ -108,7 +108,7 @@ public final class VerdictText {
     }
 
     /** In the slice of an error what was sent before is still seen. */
-    static List<String> shown(Moment moment) {
+    public static List<String> shown(Moment moment) {
         List<String> shown = outputs(moment.outputs());
         if (moment.error()) {
             shown.add("error");

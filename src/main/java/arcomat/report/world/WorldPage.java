@@ -10,7 +10,7 @@ import java.util.Map;
 /** A run of a world as a page that plays it again. */
 public final class WorldPage {
     private static final List<String> STYLES =
-            List.of("colours.css", "page.css", "replay/replay.css");
+            List.of("colours.css", "page.css", "replay/replay.css", "replay/floor.css");
 
     private static final List<String> SCRIPTS =
             List.of(

@@ -14,20 +14,25 @@ import org.openqa.selenium.interactions.Actions;
 import org.openqa.selenium.logging.LogEntry;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
+import org.openqa.selenium.print.PageSize;
+import org.openqa.selenium.print.PrintOptions;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import java.util.logging.Level;
+import java.util.regex.Pattern;
 
 /** Chromium without a window, with the driver that comes along. */
 public final class Browser implements AutoCloseable {
@@ -171,6 +176,15 @@ public final class Browser implements AutoCloseable {
     /** As it is printed. */
     public void print() {
         driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("media", "print"));
+    }
+
+    /** How many sheets of paper, of size A4, the page takes. */
+    public int sheets() {
+        PrintOptions options = new PrintOptions();
+        options.setPageSize(new PageSize(29.7, 21.0));
+        byte[] pdf = Base64.getDecoder().decode(driver.print(options).getContent());
+        String text = new String(pdf, StandardCharsets.ISO_8859_1);
+        return (int) Pattern.compile("/Type */Page\\b").matcher(text).results().count();
     }
 
     /** As if the window were so large, in pixels: smaller than a window can be made. */

@@ -1,0 +1,81 @@
+package arcomat.live;
+
+import arcomat.check.Checks;
+import arcomat.check.Review;
+import arcomat.check.law.Profile;
+import arcomat.lower.Lowering;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoadedModels;
+import arcomat.pipeline.check.LoweredModels;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
+import arcomat.tree.Recovered;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The models on the page: texts, what is found in them, and what they mean where nothing is wrong.
+ *
+ * @param lowered empty where there is an error
+ */
+record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered) {
+
+    /**
+     * Reads and checks texts as {@code arcomat check} does with files.
+     *
+     * @param needed paths of those that only lie around those that are worked on
+     */
+    static OpenModels read(ReadTexts texts, Set<String> needed) {
+        LoadedModels loaded = load(texts, needed);
+        Workspace workspace = Workspace.of(loaded.units(), loaded.broken());
+        Review review =
+                Checks.reviewAlone(workspace, Profile.REQUIREMENTS, unit -> true, () -> {})
+                        .and(
+                                Checks.reviewRecoveredAlone(
+                                        loaded.recovered(),
+                                        loaded.units(),
+                                        loaded.broken(),
+                                        Profile.REQUIREMENTS));
+        CheckedModels checked = CheckedModels.of(loaded, workspace, review);
+        return new OpenModels(checked, meaning(checked, workspace));
+    }
+
+    private static Optional<LoweredModels> meaning(CheckedModels checked, Workspace workspace) {
+        boolean wrong =
+                checked.hasErrors()
+                        || checked.suppressed().stream().anyMatch(each -> each.finding().isError());
+        return wrong
+                ? Optional.empty()
+                : Optional.of(new LoweredModels(checked, Lowering.lower(workspace)));
+    }
+
+    private static LoadedModels load(ReadTexts texts, Set<String> needed) {
+        List<Unit> units = new ArrayList<>();
+        List<Recovered> recovered = new ArrayList<>();
+        Set<String> broken = new HashSet<>();
+        TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
+        texts.all()
+                .forEach(
+                        (file, parsed) -> {
+                            findings.addAll(parsed.findings());
+                            parsed.recovered().ifPresent(recovered::add);
+                            parsed.unit()
+                                    .ifPresentOrElse(units::add, () -> broken.add(file.path()));
+                        });
+        List<SourceFile> files = List.copyOf(texts.all().keySet());
+        List<String> named =
+                files.stream()
+                        .map(SourceFile::path)
+                        .filter(path -> !needed.contains(path))
+                        .toList();
+        return new LoadedModels(
+                named, files, units, recovered, broken, List.copyOf(findings), needed, Set.of());
+    }
+}

@@ -1,0 +1,2 @@
+/** JSON for the page. */
+package arcomat.live.json;

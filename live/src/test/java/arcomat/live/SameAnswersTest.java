@@ -1,0 +1,165 @@
+package arcomat.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.report.page.BrowserTest;
+
+import org.junit.jupiter.api.function.Executable;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** In a browser the core says, word for word, what it says on this machine. */
+class SameAnswersTest extends BrowserTest {
+    private static final Path RESOURCES = Path.of("../src/test/resources");
+    private static final Path COFFEE = Path.of("../models/coffee");
+    private static final Path LIBRARY = Path.of("../lejos-runtime/nxt/src/main/arc");
+    private static final Pattern QUESTION =
+            Pattern.compile("// refines (\\S+) (\\S+): .*", Pattern.MULTILINE);
+
+    /** The first of them, with what is around them, are enough. */
+    private static final int CELLS = 5;
+
+    /** Longer than any of these questions takes. */
+    private static final double MILLISECONDS = 100_000;
+
+    @Override
+    protected Map<String, Executable> tests() {
+        Map<String, Executable> tests = new LinkedHashMap<>();
+        tests.put("findings", this::findings);
+        tests.put("words", this::words);
+        tests.put("verdicts", this::verdicts);
+        tests.put("the coffee robots", this::coffee);
+        return tests;
+    }
+
+    /** Of all that the laws are tried with. */
+    private void findings() throws IOException {
+        LivePage page = LivePage.open(browser);
+        int asked = 0;
+        for (Path file : files(RESOURCES.resolve("check"), ".arc")) {
+            Map<String, String> texts = models(file, "//// ");
+            assertThat(page.check(texts))
+                    .as(file.toString())
+                    .isEqualTo(LivePage.check(new Desk(), texts));
+            texts.replaceAll((path, text) -> text.substring(0, text.length() * 2 / 3));
+            assertThat(page.check(texts))
+                    .as("what somebody is still writing: " + file)
+                    .isEqualTo(LivePage.check(new Desk(), texts));
+            asked++;
+        }
+        assertThat(asked).isGreaterThan(100);
+    }
+
+    /** What could be written, and what names mean, all over a model. */
+    private void words() {
+        LivePage page = LivePage.open(browser);
+        Map<String, String> texts = Map.of("Chain.arc", ChainModel.TEXT);
+        Desk desk = new Desk();
+        LivePage.check(desk, texts);
+        page.check(texts);
+        for (int offset = 0; offset < ChainModel.TEXT.length() / CELLS; offset += 7) {
+            assertThat(page.ask("complete", "Chain.arc", ChainModel.TEXT, offset))
+                    .as("offers at " + offset)
+                    .isEqualTo(desk.complete("Chain.arc", ChainModel.TEXT, offset));
+            assertThat(page.ask("facts", "Chain.arc", offset))
+                    .as("facts at " + offset)
+                    .isEqualTo(desk.facts("Chain.arc", offset));
+        }
+    }
+
+    /** Of cases that once went wrong: verdicts with their counterexamples, and runs. */
+    private void verdicts() throws IOException {
+        LivePage page = LivePage.open(browser);
+        int asked = 0;
+        for (Path file : files(RESOURCES.resolve("laws"), ".txt")) {
+            Map<String, String> texts = models(file, "-- ");
+            if (texts.isEmpty() || Files.readString(file).contains("-- models ")) {
+                continue;
+            }
+            Desk desk = new Desk();
+            assertThat(page.check(texts))
+                    .as(file.toString())
+                    .isEqualTo(LivePage.check(desk, texts));
+            Matcher question = QUESTION.matcher(Files.readString(file));
+            while (question.find()) {
+                String left = question.group(1);
+                String right = question.group(2);
+                assertThat(page.ask("refines", left, right, MILLISECONDS))
+                        .as(file + ": " + question.group())
+                        .isEqualTo(desk.refines(left, right, MILLISECONDS));
+                asked++;
+            }
+            assertThat(page.ask("test")).as(file.toString()).isEqualTo(desk.test());
+            assertThat(page.ask("analyze", MILLISECONDS))
+                    .as(file.toString())
+                    .isEqualTo(desk.analyze(MILLISECONDS));
+        }
+        assertThat(asked).isGreaterThan(30);
+    }
+
+    private void coffee() throws IOException {
+        LivePage page = LivePage.open(browser);
+        Map<String, String> texts = new TreeMap<>();
+        for (Path root : List.of(COFFEE.resolve("coffee"), LIBRARY)) {
+            for (String ending : List.of(".arc", ".cd", ".mt")) {
+                for (Path file : files(root, ending)) {
+                    String below = root.equals(LIBRARY) ? "" : "coffee/";
+                    texts.put(below + root.relativize(file), Files.readString(file));
+                }
+            }
+        }
+        Desk desk = new Desk();
+        assertThat(page.check(texts))
+                .isEqualTo(LivePage.check(desk, texts))
+                .contains("\"whole\":true");
+        assertThat(page.ask("test"))
+                .isEqualTo(desk.test())
+                .contains("\"answer\":\"passed\"")
+                .doesNotContain("\"answer\":\"failed\"");
+        assertThat(page.ask("verify", MILLISECONDS))
+                .isEqualTo(desk.verify(MILLISECONDS))
+                .contains("coffee.fig5.AvoidCrash refines coffee.fig3.AvoidCrash");
+        assertThat(page.ask("analyze", MILLISECONDS)).isEqualTo(desk.analyze(MILLISECONDS));
+        assertThat(page.ask("contradictions", "coffee.fig6.AvoidCrash", MILLISECONDS))
+                .isEqualTo(desk.contradictions("coffee.fig6.AvoidCrash", MILLISECONDS));
+        assertThat(page.ask("graph", "coffee.fetcher.Fetcher", -1))
+                .isEqualTo(desk.graph("coffee.fetcher.Fetcher", -1));
+    }
+
+    private static List<Path> files(Path folder, String ending) throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            return all.filter(file -> file.toString().endsWith(ending)).sorted().toList();
+        }
+    }
+
+    /** The models in a file of data: each stands below a line with its path, or is the whole. */
+    private static Map<String, String> models(Path file, String mark) throws IOException {
+        Map<String, List<String>> lines = new LinkedHashMap<>();
+        boolean several = Files.readString(file).contains("\n" + mark);
+        List<String> current = new ArrayList<>();
+        if (!several) {
+            lines.put(file.getFileName().toString(), current);
+        }
+        for (String line : Files.readAllLines(file)) {
+            if (several && line.startsWith(mark)) {
+                current = new ArrayList<>();
+                lines.put(line.substring(mark.length()).strip(), current);
+            } else {
+                current.add(line);
+            }
+        }
+        Map<String, String> texts = new LinkedHashMap<>();
+        lines.forEach((path, all) -> texts.put(path, String.join("\n", all) + "\n"));
+        return texts;
+    }
+}
