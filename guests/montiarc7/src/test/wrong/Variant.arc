@@ -1,5 +1,4 @@
-component Variant {
-  feature f, g;
-  constraint (f implies g);
-  varif (f) { port in int a; } else port out int b;
+component Variant(int size) {
+  feature f;
+  varif (size > 3) { port sync in int a; }
 }

@@ -54,6 +54,16 @@ public interface BehaviourLanguage {
     record Suggestion(String text, String what) {}
 
     /**
+     * The text of a body in canonical form, for {@code arcomat format} and editors; nothing if it
+     * is to stay as it was written, as where it cannot be read. White space is all that may differ.
+     * One line stays beside the braces; several get lines of their own, and are moved right as far
+     * as the behaviour stands. {@link Indentation} is enough for most languages with blocks.
+     */
+    default Optional<String> layout(Written behaviour) {
+        return Optional.empty();
+    }
+
+    /**
      * Says what a behaviour means.
      *
      * @param meaning takes it, and what is wrong with the text

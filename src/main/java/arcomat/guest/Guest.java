@@ -52,6 +52,21 @@ public interface Guest {
         return List.of();
     }
 
+    /**
+     * A model root that models may refer to: files of the jar below its folder {@code library}, by
+     * their paths there. Models lie in folders of their packages, {@code walls/Sensor.arc}; code
+     * for platform components where it lies below any model root, {@code
+     * platform/jvm/walls/sensors/Sensor.java}.
+     */
+    default List<String> library() {
+        return List.of();
+    }
+
+    /** Models of other languages that are read each time; no two of a run may have one ending. */
+    default List<FileKind> fileKinds() {
+        return List.of();
+    }
+
     /** Readers of other languages; no two guests of a run may have the same word for one. */
     default List<Importer> importers() {
         return List.of();

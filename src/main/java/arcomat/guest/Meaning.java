@@ -11,7 +11,7 @@ import java.util.Optional;
 /**
  * What a behaviour in a guest's language means: the elements of an automaton, as they would stand
  * between its braces, each piece with the place that it comes from. Findings, traces and pictures
- * point there.
+ * point there. Of a file in a guest's language, it is the text of the component that it stands for.
  */
 public final class Meaning {
     private final List<Piece> pieces = new ArrayList<>();

@@ -4,7 +4,9 @@ import arcomat.check.LawBook;
 import arcomat.guest.host.Guests;
 
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Everything that the tool does goes through here, for whoever asks: the command line, a build, a
@@ -39,9 +41,11 @@ public record Session(PathNames names, Progress progress, Guests guests, List<St
         return new Session(names, other, guests, libraries);
     }
 
-    /** The same, with these guests. */
+    /** The same, with these guests, and with the model roots that they have brought. */
     public Session with(Guests others) {
-        return new Session(names, progress, others, libraries);
+        Set<String> roots = new LinkedHashSet<>(libraries);
+        roots.addAll(others.libraries());
+        return new Session(names, progress, others, List.copyOf(roots));
     }
 
     /** The same, where models may refer to those of other projects. */

@@ -3,16 +3,22 @@ package blink;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Guest;
 import arcomat.guest.Meaning;
+import arcomat.guest.SituatedLanguage;
+import arcomat.guest.Vicinity;
+import arcomat.guest.Vicinity.Kind;
+import arcomat.guest.Vicinity.Value;
 import arcomat.source.Span;
+import arcomat.tree.Name;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** A lamp that is on for some slices and off for some: blink lit { on 3, off 2 }. */
-public final class Blink implements Guest, BehaviourLanguage {
+public final class Blink implements Guest, SituatedLanguage {
     private static final Pattern PHASE = Pattern.compile("(on|off)\\s+([0-9]+)");
 
     @Override
@@ -44,12 +50,21 @@ public final class Blink implements Guest, BehaviourLanguage {
     }
 
     @Override
-    public void translate(Written behaviour, Meaning meaning) {
-        if (behaviour.name().isEmpty()) {
-            meaning.problem(behaviour.keyword(), "say which port blinks, as in blink lit {..}");
+    public Optional<String> layout(Written behaviour) {
+        String phases = behaviour.body().text().strip().replaceAll("\\s+", " ");
+        return phases.matches("\\w+ \\d+( ?, ?\\w+ \\d+)*")
+                ? Optional.of(phases.replaceAll(" ?, ?", ", "))
+                : Optional.empty();
+    }
+
+    @Override
+    public void translate(Written behaviour, Vicinity around, Meaning meaning) {
+        String port = behaviour.name().map(Name::text).orElse("");
+        if (around.value(port).filter(Blink::isLamp).isEmpty()) {
+            Span place = behaviour.name().map(Name::span).orElse(behaviour.keyword());
+            meaning.problem(place, "say which output of Boolean blinks, as in blink lit {..}");
             return;
         }
-        String port = behaviour.name().get().text();
         List<Span> phases = new ArrayList<>();
         Matcher phase = PHASE.matcher(behaviour.body().text());
         while (phase.find()) {
@@ -69,6 +84,10 @@ public final class Blink implements Guest, BehaviourLanguage {
             meaning.write(
                     slice.place(), "%s -> %s / {%s = %s};", slice.state(), next, port, slice.lit());
         }
+    }
+
+    private static boolean isLamp(Value value) {
+        return value.kind() == Kind.OUTPUT && value.type().name().equals("Boolean");
     }
 
     private record Slice(Span place, String state, boolean lit) {}

@@ -51,16 +51,20 @@ typeArguments: '<' (type | '?') (',' (type | '?'))* '>';
 machineElement
     : stereo* beginning? 'final'? beginning? 'state' name ('{' machineElement* '}')? ';'?                      # stateElement
     | kind=('entry' | 'exit' | 'do') '/' statement ';'?                               # actionElement
-    | stereo* qname '->' qname ('[' expression ']')? (qname)? ('/' statement | ';')   # transitionElement
+    | stereo* qname '->' qname reaction                                               # transitionElement
+    | stereo* '->' reaction                                                           # innerTransitionElement
     | ';'                                                                             # emptyMachineElement
     ;
+reaction: ('[' expression ']')? qname? ('/' statement | ';');
 beginning: 'initial' ('/'? block)?;
 
 block: '{' statement* '}';
 statement
     : block                                                                  # blockStatement
     | 'if' '(' expression ')' statement ('else' statement)?                  # ifStatement
-    | loop=('for' | 'while' | 'switch' | 'return' | 'try' | 'throw' | 'assert') .*? (skipped | ';')  # otherStatement
+    | 'switch' '(' expression ')' '{' switchCase* '}'                        # switchStatement
+    | 'break' ';'                                                            # breakStatement
+    | loop=('for' | 'while' | 'return' | 'try' | 'throw' | 'assert') .*? (skipped | ';')  # otherStatement
     | expression assign=('=' | '+=' | '-=' | '*=' | '/=' | '%=') expression ';'           # assignStatement
     | expression step=('++' | '--') ';'                                            # stepStatement
     | step=('++' | '--') expression ';'                                            # stepStatement
@@ -68,6 +72,7 @@ statement
     | expression ';'                                                         # callStatement
     | ';'                                                                    # emptyStatement
     ;
+switchCase: ('case' expression | 'default') ':' statement*;
 skipped: '{' (skipped | ~('{' | '}'))* '}';
 
 expression

@@ -12,6 +12,8 @@ import montiarc7.MontiArc7Parser.MemberExpressionContext;
 import montiarc7.MontiArc7Parser.NameExpressionContext;
 import montiarc7.MontiArc7Parser.StatementContext;
 import montiarc7.MontiArc7Parser.StepStatementContext;
+import montiarc7.MontiArc7Parser.SwitchCaseContext;
+import montiarc7.MontiArc7Parser.SwitchStatementContext;
 import montiarc7.MontiArc7Parser.VariableContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -69,7 +71,7 @@ final class ActionWriter {
     }
 
     /** The same without braces around the whole. */
-    private String inside(ParserRuleContext action) {
+    String inside(ParserRuleContext action) {
         if (action instanceof BlockStatementContext block) {
             return inside(block.block());
         }
@@ -88,6 +90,8 @@ final class ActionWriter {
             return "";
         } else if (statement instanceof IfStatementContext choice) {
             return choice(choice);
+        } else if (statement instanceof SwitchStatementContext choice) {
+            return new SwitchWriter(scope).write(choice);
         } else if (statement instanceof AssignStatementContext assign) {
             return assign(assign);
         } else if (statement instanceof StepStatementContext step) {
@@ -199,6 +203,21 @@ final class ActionWriter {
         } else if (action instanceof IfStatementContext choice) {
             for (StatementContext each : choice.statement()) {
                 sends(each).forEach((port, count) -> all.merge(port, count, Integer::max));
+            }
+        } else if (action instanceof SwitchStatementContext choice) {
+            for (SwitchCaseContext each : choice.switchCase()) {
+                Map<String, Integer> here = new HashMap<>();
+                each.statement()
+                        .forEach(
+                                one ->
+                                        sends(one)
+                                                .forEach(
+                                                        (port, count) ->
+                                                                here.merge(
+                                                                        port,
+                                                                        count,
+                                                                        Integer::sum)));
+                here.forEach((port, count) -> all.merge(port, count, Integer::max));
             }
         } else if (action instanceof AssignStatementContext assign) {
             String name = assign.expression(0).getText();

@@ -1,27 +1,30 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ArgumentsContext;
 import montiarc7.MontiArc7Parser.AutoElementContext;
 import montiarc7.MontiArc7Parser.AutomatonElementContext;
-import montiarc7.MontiArc7Parser.BlockContext;
 import montiarc7.MontiArc7Parser.ComponentContext;
 import montiarc7.MontiArc7Parser.ComputeElementContext;
 import montiarc7.MontiArc7Parser.ConnectorElementContext;
+import montiarc7.MontiArc7Parser.ConstraintElementContext;
 import montiarc7.MontiArc7Parser.ElementContext;
+import montiarc7.MontiArc7Parser.FeatureElementContext;
 import montiarc7.MontiArc7Parser.FieldElementContext;
+import montiarc7.MontiArc7Parser.GroupElementContext;
 import montiarc7.MontiArc7Parser.InitElementContext;
 import montiarc7.MontiArc7Parser.InnerElementContext;
 import montiarc7.MontiArc7Parser.InstanceElementContext;
+import montiarc7.MontiArc7Parser.ModesElementContext;
+import montiarc7.MontiArc7Parser.NameContext;
 import montiarc7.MontiArc7Parser.PortDeclarationContext;
 import montiarc7.MontiArc7Parser.PortsElementContext;
 import montiarc7.MontiArc7Parser.TypeParameterContext;
+import montiarc7.MontiArc7Parser.VariationElementContext;
+import montiarc7.Placed.Side;
 
 import org.antlr.v4.runtime.tree.ParseTree;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -32,7 +35,8 @@ final class ComponentWriter {
     private final Folder folder;
     private final TypeNames types;
     private final Lacks lacks;
-    private final Timing timing;
+    private final Variants variants;
+    private final Features features;
     private final Scope scope;
 
     ComponentWriter(
@@ -46,41 +50,52 @@ final class ComponentWriter {
         this.folder = folder;
         this.types = types;
         this.lacks = lacks;
-        this.timing = new Timing(component, lacks);
+        this.variants = new Variants(component, lacks);
+        this.features = new Features(component, lacks);
         types.enter(component);
-        this.scope =
-                new Scope(
-                        types,
-                        folder.ports(component, "in"),
-                        folder.ports(component, "out"),
-                        Set.of(),
-                        lacks);
+        this.scope = scope(List.of());
+    }
+
+    /** What is known on some sides of variations. */
+    private Scope scope(List<Side> sides) {
+        return new Scope(
+                types,
+                folder.ports(component, "in", sides),
+                folder.ports(component, "out", sides),
+                Set.of(),
+                lacks);
     }
 
     String write() {
         StringBuilder written = new StringBuilder(head());
-        if (timing.behaves()) {
-            written.append("timing ")
-                    .append(timing.isByEvents() ? "untimed" : "instant")
-                    .append(";\n");
+        if (variants.behave()) {
+            variants.byEvents().ifPresent(each -> written.append(timing(each)));
         }
-        if (component.element().stream().anyMatch(InnerElementContext.class::isInstance)) {
+        if (hasInner()) {
             written.append("autoinstantiate off;\n");
         }
-        boolean hasCompute = false;
         for (ElementContext each : component.element()) {
-            written.append(text.comments(each)).append(element(each));
-            hasCompute |=
-                    each instanceof ComputeElementContext
-                            || each instanceof AutomatonElementContext;
+            written.append(text.comments(each)).append(element(each, List.of()));
         }
-        if (!hasCompute && init().isPresent()) {
-            lacks.missing(
-                    Lack.STRUCTURE,
-                    component.name(0),
-                    "'init' stands alone; say what is done afterwards, too");
-        }
+        variants.elements().stream()
+                .filter(each -> each.element() instanceof InitElementContext)
+                .filter(each -> !variants.goOn(each))
+                .forEach(
+                        each ->
+                                lacks.missing(
+                                        Lack.STRUCTURE,
+                                        component.name(0),
+                                        "'init' stands alone; say what is done afterwards, too"));
         return written.append("}\n").toString();
+    }
+
+    private static String timing(boolean byEvents) {
+        return "timing " + (byEvents ? "untimed" : "instant") + ";\n";
+    }
+
+    private boolean hasInner() {
+        return variants.elements().stream()
+                .anyMatch(each -> each.element() instanceof InnerElementContext);
     }
 
     private String head() {
@@ -116,7 +131,7 @@ final class ComponentWriter {
             var parent = component.parent(0);
             head.append(" extends ")
                     .append(types.component(parent.type()))
-                    .append(given(parent.arguments()));
+                    .append(parts(scope).given(parent.arguments()));
         }
         return head.append(" {\n").toString();
     }
@@ -130,119 +145,131 @@ final class ComponentWriter {
                         .collect(Collectors.joining(" & ", name + " extends ", ""));
     }
 
-    private String given(ArgumentsContext arguments) {
-        if (arguments == null || arguments.argument().isEmpty()) {
-            return "";
-        }
-        return arguments.argument().stream()
-                .map(
-                        each ->
-                                (each.name() == null ? "" : each.name().getText() + " = ")
-                                        + new ExpressionWriter(scope).write(each.expression()))
-                .collect(Collectors.joining(", ", "(", ")"));
+    private PartWriter parts(Scope here) {
+        return new PartWriter(folder, here, features);
     }
 
-    private String element(ElementContext element) {
+    private String element(ElementContext element, List<Side> sides) {
         if (element instanceof PortsElementContext ports) {
-            return ports(ports);
+            return ports(ports, sides);
         } else if (element instanceof InnerElementContext inner) {
             return inner(inner.component());
         } else if (element instanceof ConnectorElementContext connector) {
-            return connector.portReference().stream()
-                    .skip(1)
-                    .map(ParseTree::getText)
-                    .collect(
-                            Collectors.joining(
-                                    ", ",
-                                    "connect " + connector.portReference(0).getText() + " -> ",
-                                    ";\n"));
+            return connector(connector);
         } else if (element instanceof FieldElementContext field) {
-            return field.field().stream()
-                    .map(
-                            each ->
-                                    each.name().getText()
-                                            + " = "
-                                            + new ExpressionWriter(scope).write(each.expression()))
-                    .collect(Collectors.joining(", ", types.message(field.type()) + " ", ";\n"));
+            return field(field, scope(sides));
         } else if (element instanceof InstanceElementContext instance) {
-            String type = types.component(instance.type());
-            return instance.instance().stream()
-                    .map(
-                            each ->
-                                    "component "
-                                            + type
-                                            + given(
-                                                    each.arguments() == null
-                                                            ? instance.arguments()
-                                                            : each.arguments())
-                                            + " "
-                                            + each.name().getText()
-                                            + ";\n")
-                    .collect(Collectors.joining());
+            return parts(scope(sides)).write(instance);
         } else if (element instanceof AutoElementContext auto) {
             return auto.getChild(0).getText().equals("autoconnect")
                     ? "autoconnect " + auto.name().getText() + ";\n"
                     : "";
-        } else if (element instanceof AutomatonElementContext automaton) {
-            Machine machine = new Machine(automaton.machineElement(), lacks);
-            return new MachineWriter(machine, text, scope, timing.isByEvents())
-                    .write(init(), delayed(), automaton);
-        } else if (element instanceof ComputeElementContext compute) {
-            return compute(compute);
-        }
-        return refused(element);
-    }
-
-    private String refused(ElementContext element) {
-        String word = element.getStart().getText();
-        if (element instanceof MontiArc7Parser.ModesElementContext) {
+        } else if (element instanceof VariationElementContext variation) {
+            return variation(variation, sides);
+        } else if (element instanceof GroupElementContext group) {
+            return elements(group.element(), sides);
+        } else if (element instanceof FeatureElementContext feature) {
+            return feature.name().stream()
+                    .map(ParseTree::getText)
+                    .collect(Collectors.joining(", ", "feature ", ";\n"));
+        } else if (element instanceof ConstraintElementContext constraint) {
+            return features.constraint(constraint);
+        } else if (element instanceof ModesElementContext) {
             lacks.missing(
                     Lack.MODES,
                     element,
                     "modes are not converted: what is connected does not change while a model"
                             + " runs");
-        } else if (element instanceof MontiArc7Parser.FeatureElementContext
-                || element instanceof MontiArc7Parser.VariationElementContext
-                || element instanceof MontiArc7Parser.ConstraintElementContext) {
-            lacks.missing(
-                    Lack.VARIABILITY,
-                    element,
-                    "'%s': variants of a component are not converted; write a component for each"
-                            .formatted(word));
-        } else if (element instanceof MontiArc7Parser.GroupElementContext group) {
-            return group.element().stream().map(this::element).collect(Collectors.joining());
+        }
+        return behaviour(element, sides);
+    }
+
+    private String elements(List<ElementContext> elements, List<Side> sides) {
+        return elements.stream()
+                .map(each -> text.comments(each) + element(each, sides))
+                .collect(Collectors.joining());
+    }
+
+    private String variation(VariationElementContext variation, List<Side> sides) {
+        String condition = features.condition(variation.expression());
+        String then = elements(variation.element(), 0, Placed.and(sides, variation, true));
+        if (variation.element().size() == 1) {
+            return "varif (%s) {%n%s}%n".formatted(condition, then);
+        }
+        String other = elements(variation.element(), 1, Placed.and(sides, variation, false));
+        return "varif (%s) {%n%s} else {%n%s}%n".formatted(condition, then, other);
+    }
+
+    private String elements(List<ElementContext> both, int at, List<Side> sides) {
+        return elements(List.of(both.get(at)), sides);
+    }
+
+    private static String connector(ConnectorElementContext connector) {
+        return connector.portReference().stream()
+                .skip(1)
+                .map(ParseTree::getText)
+                .collect(
+                        Collectors.joining(
+                                ", ",
+                                "connect " + connector.portReference(0).getText() + " -> ",
+                                ";\n"));
+    }
+
+    private String field(FieldElementContext field, Scope here) {
+        return field.field().stream()
+                .map(
+                        each ->
+                                each.name().getText()
+                                        + " = "
+                                        + new ExpressionWriter(here).write(each.expression()))
+                .collect(Collectors.joining(", ", types.message(field.type()) + " ", ";\n"));
+    }
+
+    private String behaviour(ElementContext element, List<Side> sides) {
+        Scope here = scope(sides);
+        Set<String> late = variants.late(here.outputs(), sides);
+        String timing = variants.byEvents().isPresent() ? "" : timing(variants.isByEvents(sides));
+        if (element instanceof AutomatonElementContext automaton) {
+            Machine machine = new Machine(automaton.machineElement(), lacks);
+            return timing
+                    + new MachineWriter(machine, text, here, variants.isByEvents(sides))
+                            .write(variants.before(sides), late, automaton);
+        } else if (element instanceof ComputeElementContext compute) {
+            String start =
+                    variants.before(sides)
+                            .map(each -> new StartWriter(here, late).write(List.of(each)))
+                            .orElse("");
+            return timing
+                    + (start.isBlank() ? "" : "init {" + start + "}\n")
+                    + "<<completion = \"ignore\">> compute {"
+                    + new ActionWriter(here).write(List.of(compute.block()))
+                    + "}\n";
         }
         return "";
     }
 
-    private String ports(PortsElementContext ports) {
+    private String ports(PortsElementContext ports, List<Side> sides) {
         List<String> all = new ArrayList<>();
         for (PortDeclarationContext each : ports.portDeclaration()) {
             String direction = each.direction.getText();
             String type = types.message(each.type());
-            each.name()
-                    .forEach(
-                            name -> {
-                                boolean late =
-                                        direction.equals("out")
-                                                && timing.behaves()
-                                                && timing.isDelayed(name.getText());
-                                if (late && timing.isByEvents()) {
-                                    lacks.note(
-                                            Lack.START,
-                                            name,
-                                            "events have no delay: '%s' is sent at once"
-                                                    .formatted(name.getText()));
-                                }
-                                String delay =
-                                        late && !timing.isByEvents() ? "<<delay = \"1\">> " : "";
-                                all.add(delay + direction + " " + type + " " + name.getText());
-                            });
+            for (NameContext name : each.name()) {
+                boolean late = direction.equals("out") && variants.isLate(name, sides);
+                String delay = late ? "<<delay = \"1\">> " : "";
+                all.add(delay + direction + " " + type + " " + name.getText());
+            }
         }
         return all.stream().collect(Collectors.joining(",\n", "port ", ";\n"));
     }
 
     private String inner(ComponentContext inner) {
+        if (!Features.of(inner).isEmpty()) {
+            lacks.missing(
+                    Lack.VARIABILITY,
+                    inner.name(0),
+                    "'%s' has features; give it a file of its own"
+                            .formatted(inner.name(0).getText()));
+        }
         StringBuilder written =
                 new StringBuilder(new ComponentWriter(inner, text, folder, types, lacks).write());
         for (int i = 1; i < inner.name().size(); i++) {
@@ -253,31 +280,5 @@ final class ComponentWriter {
                     .append(";\n");
         }
         return written.toString();
-    }
-
-    private String compute(ComputeElementContext compute) {
-        String start =
-                init().map(each -> new StartWriter(scope, delayed()).write(List.of(each)))
-                        .orElse("");
-        String done = new ActionWriter(scope).write(List.of(compute.block()));
-        return (start.isBlank() ? "" : "init {" + start + "}\n")
-                + "<<completion = \"ignore\">> compute {"
-                + done
-                + "}\n";
-    }
-
-    private Optional<BlockContext> init() {
-        return component.element().stream()
-                .filter(InitElementContext.class::isInstance)
-                .map(each -> ((InitElementContext) each).block())
-                .findFirst();
-    }
-
-    private Set<String> delayed() {
-        Set<String> names = new HashSet<>();
-        if (!timing.isByEvents()) {
-            scope.outputs().stream().filter(timing::isDelayed).forEach(names::add);
-        }
-        return names;
     }
 }

@@ -81,17 +81,21 @@ final class Folder {
         return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
     }
 
-    /** The ports in a direction, with those of components that this one extends. */
-    Set<String> ports(ComponentContext component, String direction) {
+    /**
+     * The ports in a direction, with those of components that this one extends.
+     *
+     * @param sides on which the ports are asked for
+     */
+    Set<String> ports(ComponentContext component, String direction, List<Placed.Side> sides) {
         Set<String> names = new HashSet<>();
         Set<ComponentContext> seen = new HashSet<>();
         ComponentContext at = component;
         while (at != null && seen.add(at)) {
-            for (var element : at.element()) {
-                if (element instanceof PortsElementContext ports) {
-                    for (PortDeclarationContext each : ports.portDeclaration()) {
-                        if (each.direction.getText().equals(direction)) {
-                            each.name().forEach(name -> names.add(name.getText()));
+            for (Placed each : Placed.of(at.element())) {
+                if (each.goesWith(sides) && each.element() instanceof PortsElementContext ports) {
+                    for (PortDeclarationContext declared : ports.portDeclaration()) {
+                        if (declared.direction.getText().equals(direction)) {
+                            declared.name().forEach(name -> names.add(name.getText()));
                         }
                     }
                 }

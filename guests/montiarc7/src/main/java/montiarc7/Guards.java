@@ -4,6 +4,7 @@ import montiarc7.MontiArc7Parser.BinaryExpressionContext;
 import montiarc7.MontiArc7Parser.BracketExpressionContext;
 import montiarc7.MontiArc7Parser.CallExpressionContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
+import montiarc7.MontiArc7Parser.ListExpressionContext;
 import montiarc7.MontiArc7Parser.LiteralExpressionContext;
 import montiarc7.MontiArc7Parser.MemberExpressionContext;
 import montiarc7.MontiArc7Parser.PrefixExpressionContext;
@@ -202,6 +203,9 @@ final class Guards {
      * Of a constant what tells it from others of its type; numbers might be written in two ways.
      */
     private Optional<String> constant(ExpressionContext expression) {
+        if (expression instanceof ListExpressionContext list && list.expression().size() == 1) {
+            return constant(list.expression(0));
+        }
         if (expression instanceof MemberExpressionContext member && writer.isConstant(member)) {
             return Optional.of(member.name().getText());
         }

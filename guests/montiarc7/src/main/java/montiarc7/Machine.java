@@ -3,6 +3,7 @@ package montiarc7;
 import montiarc7.MontiArc7Parser.ActionElementContext;
 import montiarc7.MontiArc7Parser.BeginningContext;
 import montiarc7.MontiArc7Parser.BlockContext;
+import montiarc7.MontiArc7Parser.InnerTransitionElementContext;
 import montiarc7.MontiArc7Parser.MachineElementContext;
 import montiarc7.MontiArc7Parser.StateElementContext;
 import montiarc7.MontiArc7Parser.TransitionElementContext;
@@ -63,7 +64,7 @@ final class Machine {
     }
 
     private final List<State> states = new ArrayList<>();
-    private final List<TransitionElementContext> transitions = new ArrayList<>();
+    private final List<Transition> transitions = new ArrayList<>();
     private final Lacks lacks;
 
     Machine(List<MachineElementContext> elements, Lacks lacks) {
@@ -88,7 +89,16 @@ final class Machine {
                 around.ifPresent(outer -> outer.inner.add(added));
                 add(state.machineElement(), Optional.of(added));
             } else if (each instanceof TransitionElementContext transition) {
-                transitions.add(transition);
+                transitions.add(
+                        new Transition(
+                                transition,
+                                transition.qname(0).getText(),
+                                Optional.of(transition.qname(1).getText()),
+                                transition.reaction()));
+            } else if (each instanceof InnerTransitionElementContext inner && around.isPresent()) {
+                transitions.add(
+                        new Transition(
+                                inner, around.get().name, Optional.empty(), inner.reaction()));
             } else if (each instanceof ActionElementContext action && around.isPresent()) {
                 around.get().actions.put(action.kind.getText(), action.statement());
             }
@@ -106,22 +116,23 @@ final class Machine {
                 .findFirst();
     }
 
-    List<TransitionElementContext> transitions() {
+    List<Transition> transitions() {
         return transitions;
     }
 
     /** Those that begin in a state itself. */
-    List<TransitionElementContext> from(State state) {
-        return transitions.stream()
-                .filter(each -> simple(each.qname(0).getText()).equals(state.name))
-                .toList();
+    List<Transition> from(State state) {
+        return transitions.stream().filter(each -> simple(each.from()).equals(state.name)).toList();
     }
 
-    Optional<State> target(TransitionElementContext transition) {
-        Optional<State> found = state(transition.qname(1).getText());
-        if (found.isEmpty() || state(transition.qname(0).getText()).isEmpty()) {
+    /** The state that is entered; within a state this is where it begins. */
+    Optional<State> target(Transition transition) {
+        Optional<State> found = state(transition.to().orElse(transition.from()));
+        if (found.isEmpty() || state(transition.from()).isEmpty()) {
             lacks.missing(
-                    Lack.STRUCTURE, transition, "a state that this transition names is not there");
+                    Lack.STRUCTURE,
+                    transition.place(),
+                    "a state that this transition names is not there");
         }
         return found;
     }

@@ -3,14 +3,13 @@ package montiarc7;
 import montiarc7.Machine.State;
 import montiarc7.MontiArc7Parser.BlockContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.TransitionElementContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -84,8 +83,8 @@ final class MachineWriter {
         }
         String guards =
                 machine.transitions().stream()
-                        .filter(each -> each.expression() != null)
-                        .map(each -> each.expression().getText())
+                        .filter(each -> each.guard() != null)
+                        .map(each -> each.guard().getText())
                         .collect(Collectors.joining(" "));
         for (ParserRuleContext each : entries) {
             for (String name : writer.assigned(each)) {
@@ -110,9 +109,9 @@ final class MachineWriter {
      */
     private String from(State state, String name, List<ParserRuleContext> entries) {
         StringBuilder written = new StringBuilder();
-        List<TransitionElementContext> before = new ArrayList<>();
+        List<Transition> before = new ArrayList<>();
         for (State level : state.outwards()) {
-            for (TransitionElementContext each : machine.from(level)) {
+            for (Transition each : machine.from(level)) {
                 written.append(transition(new Step(state, name, entries, level), each, before));
                 before.add(each);
             }
@@ -153,32 +152,30 @@ final class MachineWriter {
     }
 
     private String stay(
-            State state,
-            String name,
-            List<ParserRuleContext> actions,
-            List<TransitionElementContext> before) {
+            State state, String name, List<ParserRuleContext> actions, List<Transition> before) {
         String done = new ActionWriter(scope).write(actions);
         return guard(null, before, Set.of())
                 .map(each -> "%s -> %s%s / do {%s};%n".formatted(name, state.name, each, done))
                 .orElse("");
     }
 
-    private String transition(
-            Step step, TransitionElementContext transition, List<TransitionElementContext> before) {
+    private String transition(Step step, Transition transition, List<Transition> before) {
         Optional<State> target = machine.target(transition);
         if (target.isEmpty()) {
             return "";
         }
         Scope inside = scope.with(present(transition));
-        List<TransitionElementContext> same =
-                before.stream().filter(each -> trigger(each).equals(trigger(transition))).toList();
+        List<Transition> same =
+                before.stream()
+                        .filter(each -> each.trigger().equals(transition.trigger()))
+                        .toList();
         Optional<String> guard = guard(transition, same, present(transition));
         if (guard.isEmpty()) {
             if (step.isAsWritten()) {
                 scope.lacks()
                         .note(
                                 Lack.NEVER,
-                                transition,
+                                transition.place(),
                                 "this transition is never taken, one before it always is; it is"
                                         + " left out");
             }
@@ -187,9 +184,9 @@ final class MachineWriter {
         List<State> entered = Machine.beginning(target.get());
         State end = entered.get(entered.size() - 1);
         StringBuilder written =
-                new StringBuilder(step.isAsWritten() ? text.comments(transition) : "");
+                new StringBuilder(step.isAsWritten() ? text.comments(transition.place()) : "");
         written.append(step.name()).append(" -> ").append(end.name).append(guard.get());
-        trigger(transition).ifPresent(port -> written.append(" {").append(port).append(" == ?}"));
+        transition.trigger().ifPresent(port -> written.append(" {").append(port).append(" == ?}"));
         List<ParserRuleContext> all = new ArrayList<>(step.entries());
         all.addAll(actions(step.state(), step.source(), transition, target.get()));
         all.addAll(meanwhile(end));
@@ -204,19 +201,21 @@ final class MachineWriter {
      * What is left, from the inside out, what is done, and what is entered, from the outside in.
      */
     private static List<ParserRuleContext> actions(
-            State state, State source, TransitionElementContext transition, State target) {
+            State state, State source, Transition transition, State target) {
         List<State> kept = new ArrayList<>(source.outwards());
-        kept.remove(source);
-        kept.retainAll(target.outwards());
-        kept.remove(target);
+        if (!transition.isWithin()) {
+            kept.remove(source);
+            kept.retainAll(target.outwards());
+            kept.remove(target);
+        }
         List<ParserRuleContext> actions = new ArrayList<>();
         for (State each : state.outwards()) {
             if (!kept.contains(each)) {
                 add(actions, each, "exit");
             }
         }
-        if (transition.statement() != null) {
-            actions.add(transition.statement());
+        if (transition.action() != null) {
+            actions.add(transition.action());
         }
         List<State> entered = new ArrayList<>(target.outwards());
         entered.removeAll(kept);
@@ -235,17 +234,15 @@ final class MachineWriter {
 
     /** Nothing where a transition before it is always taken. */
     private Optional<String> guard(
-            TransitionElementContext transition,
-            List<TransitionElementContext> before,
-            Set<String> present) {
+            Transition transition, List<Transition> before, Set<String> present) {
         Guards guards = new Guards(new ExpressionWriter(scope));
-        ExpressionContext own = transition == null ? null : transition.expression();
-        if (before.stream().anyMatch(each -> isAlways(guards, each.expression(), own))) {
+        ExpressionContext own = transition == null ? null : transition.guard();
+        if (before.stream().anyMatch(each -> isAlways(guards, each.guard(), own))) {
             return Optional.empty();
         }
         Stream<String> others =
                 before.stream()
-                        .map(TransitionElementContext::expression)
+                        .map(Transition::guard)
                         .filter(each -> own == null || !guards.exclude(each, own))
                         .map(
                                 each ->
@@ -278,21 +275,12 @@ final class MachineWriter {
     }
 
     /** Ports that carry a message where a transition is taken. */
-    private Set<String> present(TransitionElementContext transition) {
+    private Set<String> present(Transition transition) {
         Set<String> present =
-                transition.expression() == null
-                        ? new java.util.HashSet<>()
-                        : new Guards(new ExpressionWriter(scope))
-                                .presentIn(transition.expression());
-        trigger(transition).ifPresent(present::add);
+                transition.guard() == null
+                        ? new HashSet<>()
+                        : new Guards(new ExpressionWriter(scope)).presentIn(transition.guard());
+        transition.trigger().ifPresent(present::add);
         return present;
-    }
-
-    /** The port whose message takes the transition; none where it is taken in a slice. */
-    static Optional<String> trigger(TransitionElementContext transition) {
-        return transition.qname().size() < 3
-                ? Optional.empty()
-                : Optional.of(Objects.requireNonNull(transition.qname(2)).getText())
-                        .filter(each -> !each.equals("Tick"));
     }
 }

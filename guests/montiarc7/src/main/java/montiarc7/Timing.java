@@ -8,7 +8,6 @@ import montiarc7.MontiArc7Parser.MarkContext;
 import montiarc7.MontiArc7Parser.PortDeclarationContext;
 import montiarc7.MontiArc7Parser.PortsElementContext;
 import montiarc7.MontiArc7Parser.TimingElementContext;
-import montiarc7.MontiArc7Parser.TransitionElementContext;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -22,10 +21,12 @@ final class Timing {
     private boolean allDelayed;
     private boolean ticks;
     private boolean events;
-    private boolean behaves;
 
-    Timing(ComponentContext component, Lacks lacks) {
-        for (ElementContext element : component.element()) {
+    /**
+     * @param elements those of the component that are there together
+     */
+    Timing(ComponentContext component, List<ElementContext> elements, Lacks lacks) {
+        for (ElementContext element : elements) {
             add(element, lacks);
         }
         boolean synchronous = words.contains("sync") || words.contains("instant");
@@ -45,13 +46,11 @@ final class Timing {
             words.add(timing.name().getText());
         } else if (element instanceof ComputeElementContext compute) {
             marks(compute.mark());
-            behaves = true;
         } else if (element instanceof AutomatonElementContext automaton) {
             marks(automaton.mark());
-            behaves = true;
             Machine machine = new Machine(automaton.machineElement(), lacks.unheard());
-            for (TransitionElementContext each : machine.transitions()) {
-                boolean isEvent = MachineWriter.trigger(each).isPresent();
+            for (Transition each : machine.transitions()) {
+                boolean isEvent = each.trigger().isPresent();
                 events |= isEvent;
                 ticks |= !isEvent;
             }
@@ -83,11 +82,6 @@ final class Timing {
     /** Whether steps are events; slices else. */
     boolean isByEvents() {
         return events || words.contains("untimed") && !ticks;
-    }
-
-    /** Whether it says what it does, and so has to say when. */
-    boolean behaves() {
-        return behaves;
     }
 
     boolean isDelayed(String port) {

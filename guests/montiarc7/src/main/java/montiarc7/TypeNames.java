@@ -76,7 +76,8 @@ final class TypeNames {
                     .typeParameter()
                     .forEach(each -> parameters.add(each.name().getText()));
         }
-        component.element().stream()
+        Placed.of(component.element()).stream()
+                .map(Placed::element)
                 .filter(MontiArc7Parser.InnerElementContext.class::isInstance)
                 .map(MontiArc7Parser.InnerElementContext.class::cast)
                 .forEach(each -> inner.add(each.component().name(0).getText()));

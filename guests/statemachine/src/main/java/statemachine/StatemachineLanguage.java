@@ -1,11 +1,13 @@
 package statemachine;
 
 import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.Indentation;
 import arcomat.guest.Meaning;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** {@code statemachine { state a { .. } .. }}: states within states, flattened to an automaton. */
 final class StatemachineLanguage implements BehaviourLanguage {
@@ -34,6 +36,11 @@ final class StatemachineLanguage implements BehaviourLanguage {
     @Override
     public List<String> codes() {
         return Arrays.stream(Mistake.values()).map(Mistake::code).toList();
+    }
+
+    @Override
+    public Optional<String> layout(Written behaviour) {
+        return Optional.of(Indentation.of(behaviour.body().text()));
     }
 
     @Override

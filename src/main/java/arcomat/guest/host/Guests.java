@@ -3,6 +3,7 @@ package arcomat.guest.host;
 import arcomat.check.LawBook;
 import arcomat.guest.AutomatonAnalysis;
 import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.FileKind;
 import arcomat.guest.Importer;
 import arcomat.guest.ReportForm;
 
@@ -19,6 +20,8 @@ import java.util.TreeMap;
  * @param questions about automata, besides the tool's
  * @param languages that behaviours may be written in, besides automata and tables
  * @param kinds of models that can be read once
+ * @param readers of files that are read each time
+ * @param libraries model roots that models may refer to
  * @param forms in which results are written, besides the tool's
  * @param paths where they came from, as the user wrote them
  */
@@ -27,16 +30,28 @@ public record Guests(
         List<Question> questions,
         List<Language> languages,
         List<Kind> kinds,
+        List<Reader> readers,
+        List<String> libraries,
         List<Form> forms,
         List<String> paths) {
     /** Nobody. */
     public static final Guests NONE =
-            new Guests(LawBook.OWN, List.of(), List.of(), List.of(), List.of(), List.of());
+            new Guests(
+                    LawBook.OWN,
+                    List.of(),
+                    List.of(),
+                    List.of(),
+                    List.of(),
+                    List.of(),
+                    List.of(),
+                    List.of());
 
     public Guests {
         questions = List.copyOf(questions);
         languages = List.copyOf(languages);
         kinds = List.copyOf(kinds);
+        readers = List.copyOf(readers);
+        libraries = List.copyOf(libraries);
         forms = List.copyOf(forms);
         paths = List.copyOf(paths);
     }
@@ -95,6 +110,31 @@ public record Guests(
             endings = List.copyOf(endings);
             codes = List.copyOf(codes);
         }
+    }
+
+    /**
+     * A reader of files with the name of its guest.
+     *
+     * @param endings of the files that it said it reads
+     * @param codes what it said that it may find
+     */
+    public record Reader(String guest, List<String> endings, List<String> codes, FileKind kind) {
+        public Reader {
+            endings = List.copyOf(endings);
+            codes = List.copyOf(codes);
+        }
+    }
+
+    /** How the names of files end that guests read each time. */
+    public List<String> endings() {
+        return readers.stream().flatMap(each -> each.endings().stream()).toList();
+    }
+
+    /** Who reads a file; nobody if it is one of the tool's own. */
+    public Optional<Reader> reader(String path) {
+        return readers.stream()
+                .filter(each -> each.endings().stream().anyMatch(path::endsWith))
+                .findFirst();
     }
 
     /** The language that begins with a word. */

@@ -11,6 +11,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
@@ -61,7 +62,13 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
         }
         Budget budget = limits.budget();
         if (!components.isEmpty()) {
-            return examine(promises, List.of(), models, budget, session);
+            return examine(
+                    promises,
+                    List.of(),
+                    models,
+                    GuestQuestion.all(session.guests()),
+                    budget,
+                    session.progress());
         }
         Found all = all(models, budget, session);
         if (all.examinations().isEmpty() && all.unexamined().isEmpty()) {
@@ -72,8 +79,18 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
 
     /** Of all models that were named. */
     public static Found all(LoweredModels models, Budget budget, Session session) {
+        return all(models, GuestQuestion.all(session.guests()), budget, session.progress());
+    }
+
+    /**
+     * The same for who has no session.
+     *
+     * @param outside questions of others
+     */
+    public static Found all(
+            LoweredModels models, List<OutsideQuestion> outside, Budget budget, Progress progress) {
         InstancePromises all = new InstancePromises(models);
-        return examine(all.all(), all.withoutArguments(), models, budget, session);
+        return examine(all.all(), all.withoutArguments(), models, outside, budget, progress);
     }
 
     private static Promise promise(String written, LoweredModels models) throws WrongUse {
@@ -88,19 +105,26 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     /** What is found about automata and not declared to be meant. */
     public static List<Examination> examine(
             List<Promise> promises, LoweredModels models, AnalysisLimits limits, Session session) {
-        return examine(promises, List.of(), models, limits.budget(), session).examinations();
+        return examine(
+                        promises,
+                        List.of(),
+                        models,
+                        GuestQuestion.all(session.guests()),
+                        limits.budget(),
+                        session.progress())
+                .examinations();
     }
 
     private static Found examine(
             List<Promise> promises,
             List<Unexamined> unexamined,
             LoweredModels models,
+            List<OutsideQuestion> outside,
             Budget budget,
-            Session session) {
-        List<OutsideQuestion> outside = GuestQuestion.all(session.guests());
+            Progress progress) {
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
-            session.progress().step("examining " + promise.title());
+            progress.step("examining " + promise.title());
             examinations.addAll(Analyses.examine(promise, outside, budget));
         }
         List<Diagnostic> all =

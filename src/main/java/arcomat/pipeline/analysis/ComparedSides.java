@@ -41,6 +41,11 @@ public record ComparedSides(
         return new ComparedSides(left, right, completion(sides, 0), completion(sides, 1));
     }
 
+    /** The same of other components. */
+    ComparedSides of(String otherLeft, String otherRight) {
+        return new ComparedSides(otherLeft, otherRight, leftCompletion, rightCompletion);
+    }
+
     private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {
         if (sides.length == 0) {
             return Optional.empty();

@@ -20,11 +20,33 @@ public sealed interface Prover {
     Verdict decide(Promise left, Promise right, AnalysisLimits limits, PathNames names)
             throws WrongUse;
 
+    /** Whether it is asked about all configurations of components with features. */
+    default boolean asksMany() {
+        return false;
+    }
+
     /** The engine of this tool. */
     record Engine() implements Prover {
         @Override
+        public boolean asksMany() {
+            return true;
+        }
+
+        @Override
         public Verdict decide(Promise left, Promise right, AnalysisLimits limits, PathNames names) {
             return Refinement.check(left, right, limits.budget());
+        }
+    }
+
+    /**
+     * The engine, for one of several questions.
+     *
+     * @param budget of all of them
+     */
+    record Within(Budget budget) implements Prover {
+        @Override
+        public Verdict decide(Promise left, Promise right, AnalysisLimits limits, PathNames names) {
+            return Refinement.check(left, right, budget);
         }
     }
 

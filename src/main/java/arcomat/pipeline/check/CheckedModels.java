@@ -5,7 +5,6 @@ import arcomat.check.LawBook;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
-import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.file.FileFindings;
 import arcomat.source.Diagnostic;
@@ -42,9 +41,8 @@ public record CheckedModels(
     /** Checks models for their own sake. */
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
-        Workspace workspace = workspace(loaded, session.progress());
-        Review review = review(loaded, workspace, profile, session);
-        return of(loaded, workspace, review.findings(), review.suppressed());
+        Workspace workspace = workspace(loaded, session);
+        return of(loaded, workspace, review(loaded, workspace, profile, session));
     }
 
     /**
@@ -70,7 +68,7 @@ public record CheckedModels(
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         CheckedModels all = checkWhole(loaded, executable, session);
-        return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
+        return all.withoutBroken(session).filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
     /** As above, for questions about models: no code is made of them. */
@@ -86,7 +84,7 @@ public record CheckedModels(
     /**
      * Without the files that have errors in their syntax and those that need them, if there are.
      */
-    private Optional<CheckedModels> withoutBroken() {
+    private Optional<CheckedModels> withoutBroken(Session session) {
         if (loaded.broken().isEmpty()
                 || loaded.findings().stream().anyMatch(FileFindings::isUnreadableInput)) {
             return Optional.empty();
@@ -100,7 +98,7 @@ public record CheckedModels(
         return Optional.of(
                 new CheckedModels(
                         rest,
-                        Workspace.of(rest.units(), Set.of()),
+                        workspace(rest, session),
                         findings.stream().filter(isAside.negate()).toList(),
                         suppressed.stream().filter(each -> !isAside.test(each.finding())).toList(),
                         Aside.of(others, findings.stream().filter(isAside).toList())));
@@ -110,14 +108,14 @@ public record CheckedModels(
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
         CheckedModels all = checkWhole(loaded, (models, files) -> List.of(), session);
-        return all.withoutBroken().orElse(all);
+        return all.withoutBroken(session).orElse(all);
     }
 
     private static CheckedModels checkWhole(
             LoadedModels loaded,
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
-        Workspace workspace = workspace(loaded, session.progress());
+        Workspace workspace = examined(loaded, session);
         Review review = review(loaded, workspace, Profile.REQUIREMENTS, session);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
@@ -144,9 +142,13 @@ public record CheckedModels(
         return of(loaded, workspace, findings, meant);
     }
 
-    private static Workspace workspace(LoadedModels loaded, Progress progress) {
-        progress.step("checking", loaded.units().size(), "model");
-        return Workspace.of(loaded.units(), loaded.broken());
+    private static Workspace examined(LoadedModels loaded, Session session) {
+        session.progress().step("checking", loaded.units().size(), "model");
+        return workspace(loaded, session);
+    }
+
+    private static Workspace workspace(LoadedModels loaded, Session session) {
+        return Workspace.of(loaded.units(), loaded.broken(), List.of(), session.laws().reader());
     }
 
     private static Review review(
@@ -206,6 +208,11 @@ public record CheckedModels(
                 all.suppressed().stream()
                         .filter(each -> files.test(each.finding().span().file()))
                         .toList());
+    }
+
+    /** Models that somebody else has read and reviewed. */
+    public static CheckedModels of(LoadedModels loaded, Workspace workspace, Review review) {
+        return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
     private static CheckedModels of(

@@ -22,9 +22,14 @@ record FoundModels(List<Found> own, List<Found> ofLibraries, List<Diagnostic> fi
         findings = List.copyOf(findings);
     }
 
-    /** What is named and lies in a library as well is asked about. */
-    static FoundModels find(List<String> paths, List<String> libraries, PathNames names) {
-        FileFinder finder = new FileFinder(names);
+    /**
+     * What is named and lies in a library as well is asked about.
+     *
+     * @param endings of files that guests read
+     */
+    static FoundModels find(
+            List<String> paths, List<String> libraries, List<String> endings, PathNames names) {
+        FileFinder finder = new FileFinder(names, endings);
         paths.forEach(finder::find);
         List<Found> own = List.copyOf(finder.files());
         libraries.forEach(finder::find);

@@ -54,7 +54,7 @@ public final class ModelLoader {
     }
 
     private LoadedModels load(List<String> paths, List<String> libraries) {
-        FoundModels found = FoundModels.find(paths, libraries, names);
+        FoundModels found = FoundModels.find(paths, libraries, guests.endings(), names);
         findings.addAll(found.findings());
         List<Unit> fresh = parse(read(found.all()));
         Set<Path> folders = searchedFolders(paths, names);

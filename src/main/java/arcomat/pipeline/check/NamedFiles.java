@@ -31,15 +31,17 @@ public record NamedFiles(
     /**
      * Finds and reads, several files at a time.
      *
+     * @param endings of files that guests read
      * @param reader of a file, called by several threads
      */
     public static NamedFiles read(
             List<String> written,
             List<String> libraries,
+            List<String> endings,
             PathNames names,
             Progress progress,
             Function<Found, FileReader.Read> reader) {
-        FoundModels found = FoundModels.find(written, libraries, names);
+        FoundModels found = FoundModels.find(written, libraries, endings, names);
         List<Found> files = found.all();
         progress.step("reading", files.size(), "file");
         Map<String, SourceFile> readable = new LinkedHashMap<>();

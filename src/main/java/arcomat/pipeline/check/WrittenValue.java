@@ -6,7 +6,7 @@ import arcomat.model.Value;
 import java.util.Optional;
 
 /** Reads values as they are written on the command line; the type tells how. */
-final class WrittenValue implements Type.Cases<Optional<Value>> {
+public final class WrittenValue implements Type.Cases<Optional<Value>> {
     private final String text;
 
     private WrittenValue(String text) {
@@ -14,7 +14,7 @@ final class WrittenValue implements Type.Cases<Optional<Value>> {
     }
 
     /** The value, or empty where the text is none of the type. */
-    static Optional<Value> parse(String text, Type type) {
+    public static Optional<Value> parse(String text, Type type) {
         try {
             return type.match(new WrittenValue(text));
         } catch (NumberFormatException e) {

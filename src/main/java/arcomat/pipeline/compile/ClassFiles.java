@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Classes that compiled code may refer to. Names have slashes: {@code java/util/List}.
@@ -18,9 +20,18 @@ import java.util.function.Predicate;
 public record ClassFiles(Function<String, Optional<byte[]>> find, Predicate<String> isPackage) {
     /** What this program itself runs on, as far as generated code may use it. */
     public static final ClassFiles RUNTIME =
-            ofThisProgram(
-                    List.of("java/", "arcomat/rt/"),
-                    Set.of("java", "java/lang", "arcomat", "arcomat/rt"));
+            ofThisProgram(List.of("java/", "arcomat/rt/"), withJava("arcomat", "arcomat/rt"));
+
+    /** Packages, and those of Java that a model may name types of. */
+    private static Set<String> withJava(String... packages) {
+        Stream<String> ofJava =
+                Object.class.getModule().getPackages().stream()
+                        .filter(each -> each.startsWith("java."))
+                        .map(each -> each.replace('.', '/'));
+        return Stream.of(Stream.of("java"), Stream.of(packages), ofJava)
+                .flatMap(each -> each)
+                .collect(Collectors.toUnmodifiableSet());
+    }
 
     /**
      * Classes that this program has, too.

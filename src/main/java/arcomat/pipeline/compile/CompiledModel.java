@@ -29,7 +29,7 @@ public record CompiledModel(
      * @throws TooLargeToCompile where no Java virtual machine can hold the code
      */
     public static CompiledModel of(Component component, Choosing choosing) {
-        Target target = Target.shipped("jvm").orElseThrow();
+        Target target = withStandIns(Target.shipped("jvm").orElseThrow());
         Request request = Request.library(component, choosing).withTrace();
         Generation generation = Generator.generate(request, target);
         if (!generation.findings().isEmpty()) {
@@ -54,6 +54,12 @@ public record CompiledModel(
                 choosing,
                 generation.layout(),
                 new ClassesInMemory(compilation.classes()));
+    }
+
+    /** Messages that are told apart by a text, instead of objects that nobody could make of it. */
+    private static Target withStandIns(Target target) {
+        return new Target(
+                target.name(), Map.of(Target.DESCRIPTION, "java = stand-ins"), Optional.of(target));
     }
 
     /** A model that only the interpreter can run: no Java virtual machine holds its code. */

@@ -17,6 +17,7 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Finds the model files behind the paths that a user names. Folders are searched in the order of
@@ -50,6 +51,15 @@ public final class FileFinder {
      */
     public FileFinder(PathNames names) {
         this(names, ENDINGS, "model file");
+    }
+
+    /**
+     * Finds model files, and those that guests read.
+     *
+     * @param further endings of theirs
+     */
+    public FileFinder(PathNames names, List<String> further) {
+        this(names, Stream.concat(ENDINGS.stream(), further.stream()).toList(), "model file");
     }
 
     /**

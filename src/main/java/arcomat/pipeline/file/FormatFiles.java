@@ -2,9 +2,9 @@ package arcomat.pipeline.file;
 
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
+import arcomat.pipeline.guest.GuestLayout;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.syntax.Formatter;
 import arcomat.syntax.Formatter.Formatted;
 
 import java.io.IOException;
@@ -36,25 +36,27 @@ public record FormatFiles(List<String> paths, boolean write) implements Task<For
         paths.forEach(finder::find);
         List<Diagnostic> findings = new ArrayList<>(finder.findings());
         List<String> changed = new ArrayList<>();
+        GuestLayout layout = new GuestLayout(session.guests());
         session.progress().step("formatting", finder.files().size(), "file");
         for (FileFinder.Found found : finder.files()) {
             FileReader.Read read = FileReader.read(found.path(), found.shown());
             read.finding().ifPresent(findings::add);
             if (read.file().isPresent()) {
-                format(found, read.file().get(), changed, findings);
+                Formatted formatted = layout.format(read.file().get());
+                findings.addAll(formatted.findings());
+                write(found, read.file().get(), formatted, changed, findings);
             }
         }
         findings.sort(Diagnostic.ORDER);
         return new Result(changed, findings, finder.files().size());
     }
 
-    private void format(
+    private void write(
             FileFinder.Found found,
             SourceFile file,
+            Formatted formatted,
             List<String> changed,
             List<Diagnostic> findings) {
-        Formatted formatted = Formatter.format(file);
-        findings.addAll(formatted.findings());
         if (formatted.text().isEmpty() || formatted.text().get().equals(file.text())) {
             return;
         }

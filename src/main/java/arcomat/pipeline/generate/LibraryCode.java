@@ -11,6 +11,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.CheckedModels;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -31,11 +32,14 @@ record LibraryCode(Map<String, String> texts) {
      * @throws WrongUse where code written by hand cannot be read
      */
     static LibraryCode of(Target target, Choosing choosing, Session session) throws WrongUse {
-        if (session.libraries().isEmpty()) {
+        List<String> libraries = new ArrayList<>(session.libraries());
+        libraries.removeAll(
+                session.guests().libraries()); // guests bring models, and no code of them
+        if (libraries.isEmpty()) {
             return NONE;
         }
         Session alone = session.with(List.of());
-        CheckedModels models = CheckedModels.checkWithoutTests(session.libraries(), alone);
+        CheckedModels models = CheckedModels.checkWithoutTests(libraries, alone);
         if (models.hasErrors()) {
             return NONE;
         }

@@ -3,6 +3,7 @@ package arcomat.pipeline.guest;
 import arcomat.check.guest.GuestLaws;
 import arcomat.check.law.Law;
 import arcomat.guest.BehaviourLanguage;
+import arcomat.guest.FileKind;
 import arcomat.guest.Guest;
 import arcomat.guest.Importer;
 import arcomat.guest.ReportForm;
@@ -10,9 +11,11 @@ import arcomat.guest.host.Guests.Form;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
 import arcomat.guest.host.Guests.Question;
+import arcomat.guest.host.Guests.Reader;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Sha256;
+import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.syntax.Identifiers;
 
 import java.io.IOException;
@@ -30,6 +33,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.jar.JarFile;
@@ -49,11 +53,19 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
             List<Question> questions,
             List<Language> languages,
             List<Kind> kinds,
+            List<Reader> readers,
+            SortedMap<String, String> library,
             List<Form> forms) {}
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}.-]{0,39}");
     private static final Pattern FORM =
             Pattern.compile("(?!(text|json|sarif|junit|github)$)[a-z][a-z0-9-]{0,39}");
+    private static final Pattern ENDING =
+            Pattern.compile("(?!\\.(arc|cd|ioautomaton|mt|maa)$)\\.\\w+");
+
+    /** A path that leads nowhere else: no name in it begins with a dot. */
+    private static final Pattern INSIDE = Pattern.compile("\\w[\\w.-]*(/\\w[\\w.-]*)*");
+
     private static final Pattern CODE = Pattern.compile("(?!ARC)[A-Z]{2,8}[0-9]{4}");
 
     /**
@@ -160,6 +172,7 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
         }
         List<Language> languages = languages(name, guest.languages());
         List<Kind> kinds = kinds(name, guest.importers());
+        List<Reader> readers = readers(name, guest.fileKinds());
         List<Question> questions =
                 guest.analyses().stream()
                         .map(each -> new Question(name, each.codes(), each))
@@ -168,20 +181,26 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
                 Stream.of(
                                 languages.stream().map(Language::codes),
                                 kinds.stream().map(Kind::codes),
+                                readers.stream().map(Reader::codes),
                                 questions.stream().map(Question::codes))
                         .flatMap(Function.identity())
                         .flatMap(List::stream)
                         .toList();
         return new Arrival(
-                laws(name, guest.laws(), others),
+                laws(name, guest.laws(), others, languages),
                 questions,
                 languages,
                 kinds,
+                readers,
+                library(name, guest.library()),
                 forms(name, guest.reportForms()));
     }
 
-    private GuestLaws laws(String name, List<Law> laws, List<String> others) throws WrongUse {
-        GuestLaws all = new GuestLaws(name, identity, laws, others, this::page);
+    private GuestLaws laws(
+            String name, List<Law> laws, List<String> others, List<Language> languages)
+            throws WrongUse {
+        BehaviourReader reader = SituatedBehaviours.in(languages);
+        GuestLaws all = new GuestLaws(name, identity, laws, others, reader, this::page);
         for (String code : all.codes()) {
             if (!CODE.matcher(code).matches()) {
                 throw new WrongUse(
@@ -249,9 +268,46 @@ record GuestJar(String path, URLClassLoader loader, String identity) {
         return kinds;
     }
 
+    private static List<Reader> readers(String name, List<FileKind> brought) throws WrongUse {
+        List<Reader> readers = new ArrayList<>();
+        for (FileKind each : brought) {
+            Reader reader = new Reader(name, each.endings(), each.codes(), each);
+            if (reader.endings().isEmpty()
+                    || !reader.endings().stream().allMatch(ENDING.asMatchPredicate())) {
+                throw new WrongUse(
+                        "guest '%s' reads files that end in '%s'; an ending is a dot and letters,"
+                                + " and none of Arcomat's own",
+                        name, String.join("', '", reader.endings()));
+            }
+            readers.add(reader);
+        }
+        return readers;
+    }
+
+    /** Texts by their paths in the model root. */
+    private SortedMap<String, String> library(String name, List<String> paths) throws WrongUse {
+        SortedMap<String, String> texts = new TreeMap<>();
+        for (String path : paths) {
+            Optional<String> text =
+                    INSIDE.matcher(path).matches() ? text("library/" + path) : Optional.empty();
+            if (text.isEmpty()) {
+                throw new WrongUse(
+                        "guest '%s' has a library with '%s', and there is no such file in its"
+                                + " folder 'library'",
+                        name, path);
+            }
+            texts.put(path, text.get());
+        }
+        return texts;
+    }
+
     /** What the guest says about a code of its own. */
     private Optional<String> page(String code) {
-        try (InputStream in = loader.getResourceAsStream("explain/" + code + ".md")) {
+        return text("explain/" + code + ".md");
+    }
+
+    private Optional<String> text(String resource) {
+        try (InputStream in = loader.getResourceAsStream(resource)) {
             return in == null
                     ? Optional.empty()
                     : Optional.of(new String(in.readAllBytes(), StandardCharsets.UTF_8));

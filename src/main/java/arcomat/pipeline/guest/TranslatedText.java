@@ -3,7 +3,9 @@ package arcomat.pipeline.guest;
 import arcomat.guest.Meaning.Piece;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.tree.AutomatonElement;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -31,8 +33,26 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
     }
 
     /** The piece in which a part of the text begins. */
-    Piece beginning(Span part) {
+    private Piece beginning(Span part) {
         return pieces.floorEntry(part.start()).getValue();
+    }
+
+    /** With what a text has no words for: guests say it beside. */
+    AutomatonElement placed(AutomatonElement written) {
+        AutomatonElement placed = new PlacedTree(this::origin).move(written);
+        if (placed instanceof AutomatonElement.Transition transition) {
+            return transition.withRank(beginning(written.span()).rank());
+        }
+        if (placed instanceof AutomatonElement.States states
+                && written instanceof AutomatonElement.States before) {
+            List<AutomatonElement.State> all = new ArrayList<>();
+            for (int i = 0; i < states.states().size(); i++) {
+                Piece beginning = beginning(before.states().get(i).span());
+                all.add(states.states().get(i).within(beginning.within()));
+            }
+            return new AutomatonElement.States(states.span(), all);
+        }
+        return placed;
     }
 
     /** What a part of the text stands for: exactly, where it was taken over letter by letter. */

@@ -7,14 +7,18 @@ import arcomat.guest.host.Guests.Form;
 import arcomat.guest.host.Guests.Kind;
 import arcomat.guest.host.Guests.Language;
 import arcomat.guest.host.Guests.Question;
+import arcomat.guest.host.Guests.Reader;
+import arcomat.pipeline.KeptFolder;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 
 /**
  * Lets guests in.
@@ -31,6 +35,8 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
         List<Question> questions = new ArrayList<>();
         List<Language> languages = new ArrayList<>();
         List<Kind> kinds = new ArrayList<>();
+        List<Reader> readers = new ArrayList<>();
+        List<String> libraries = new ArrayList<>();
         List<Form> forms = new ArrayList<>();
         for (String path : paths) {
             for (GuestJar.Arrival each : GuestJar.open(path, session.names()).arrivals()) {
@@ -38,14 +44,31 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                 questions.addAll(each.questions());
                 languages.addAll(each.languages());
                 kinds.addAll(each.kinds());
+                readers.addAll(each.readers());
+                if (!each.library().isEmpty()) {
+                    libraries.add(written(each.library(), path));
+                }
                 forms.addAll(each.forms());
             }
         }
         requireDifferent(laws);
         requireWords(languages);
         requireKinds(kinds);
+        requireEndings(readers);
         requireForms(forms);
-        return new Guests(LawBook.of(laws), questions, languages, kinds, forms, paths);
+        return new Guests(
+                LawBook.of(laws), questions, languages, kinds, readers, libraries, forms, paths);
+    }
+
+    /** A model root that is read like any other. */
+    private static String written(SortedMap<String, String> library, String path) throws WrongUse {
+        try {
+            return KeptFolder.written(KeptFolder.LIBRARY, library).toString();
+        } catch (IOException e) {
+            throw new WrongUse(
+                    "the library of the guest '%s' cannot be written among temporary files: %s",
+                    path, String.valueOf(e.getMessage()));
+        }
     }
 
     /** Whose a name or a code is must be clear to whoever reads a finding or means it. */
@@ -78,6 +101,21 @@ public record WelcomeGuests(List<String> paths) implements Task<Guests> {
                         "behaviours that begin with '%s' are of two guests, '%s' and '%s'; leave"
                                 + " one of them out",
                         language.keyword(), other.guest(), language.guest());
+            }
+        }
+    }
+
+    private static void requireEndings(List<Reader> readers) throws WrongUse {
+        Map<String, Reader> endings = new HashMap<>();
+        for (Reader reader : readers) {
+            for (String ending : reader.endings()) {
+                Reader other = endings.put(ending, reader);
+                if (other != null) {
+                    throw new WrongUse(
+                            "files that end in '%s' are of two guests, '%s' and '%s'; leave one of"
+                                    + " them out",
+                            ending, other.guest(), reader.guest());
+                }
             }
         }
     }

@@ -67,7 +67,12 @@ public record IncrementalCheck(List<String> paths, Profile profile, String tool,
         searched.addAll(ModelLoader.searchedFolders(session.libraries(), names()));
         NamedFiles named =
                 NamedFiles.read(
-                        paths, session.libraries(), names(), session.progress(), memory::read);
+                        paths,
+                        session.libraries(),
+                        session.guests().endings(),
+                        names(),
+                        session.progress(),
+                        memory::read);
         String key = key(searched, named);
         Optional<CheckState> before =
                 session.laws().looksAnywhere() ? Optional.empty() : last.apply(key, named);

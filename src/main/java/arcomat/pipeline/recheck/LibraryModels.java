@@ -27,6 +27,8 @@ import java.util.TreeMap;
 public final class LibraryModels {
     public static final LibraryModels NONE = new LibraryModels(Set.of(), Map.of(), List.of());
 
+    private static final String SUITE = ".mt";
+
     private final Set<Path> folders;
     private final Map<String, LibraryFile> files;
     private final List<Diagnostic> missing;
@@ -56,7 +58,7 @@ public final class LibraryModels {
             return NONE;
         }
         Set<Path> real = new HashSet<>();
-        FileFinder finder = new FileFinder(new PathNames(folders.get(0)));
+        FileFinder finder = new FileFinder(new PathNames(folders.get(0)), guests.endings());
         for (Path folder : folders) {
             real.add(PathNames.real(folder));
             finder.find(folder.toString());
@@ -64,11 +66,13 @@ public final class LibraryModels {
         Map<String, LibraryFile> files = new TreeMap<>();
         List<SourceFile> texts = new ArrayList<>();
         for (FileFinder.Found found : finder.files()) {
+            if (found.shown().endsWith(SUITE)) {
+                continue; // also where it cannot be read
+            }
             FileReader.Read read = FileReader.read(found.path(), found.shown());
             read.file().ifPresent(texts::add);
             read.finding().ifPresent(each -> files.put(found.shown(), unreadable(each)));
         }
-        texts.removeIf(each -> each.path().endsWith(".mt"));
         List<Parsed> parsed = ModelLoader.parse(texts, guests, Progress.NONE);
         for (int i = 0; i < texts.size(); i++) {
             SourceFile text = texts.get(i);

@@ -20,7 +20,6 @@ import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
@@ -219,7 +218,7 @@ final class OpenFiles {
     }
 
     private Workspace around() {
-        return workspace(parsed());
+        return OpenModels.Draft.around(parsed(), guests.laws().reader());
     }
 
     private Map<String, Parsed> parsed() {
@@ -228,24 +227,10 @@ final class OpenFiles {
         return parsed;
     }
 
-    private static Workspace workspace(Map<String, Parsed> files) {
-        List<Unit> recovered = new ArrayList<>();
-        List<Unit> units = new ArrayList<>();
-        Set<String> broken = new HashSet<>();
-        files.forEach(
-                (path, parsed) -> {
-                    parsed.recovered().map(Recovered::unit).ifPresent(recovered::add);
-                    parsed.unit().ifPresentOrElse(units::add, () -> broken.add(path));
-                });
-        return Workspace.around(recovered, units, broken, List.of());
-    }
-
     /** What names would mean if a file had another text. */
     OpenModels.Draft draft(SourceFile text) {
-        Map<String, Parsed> parsed = parsed();
         Parsed written = ModelLoader.parse(List.of(text), guests, Progress.NONE).get(0);
-        parsed.put(text.path(), written);
-        return new OpenModels.Draft(written.readable(), workspace(parsed));
+        return OpenModels.Draft.of(parsed(), text.path(), written, guests.laws().reader());
     }
 
     /**
@@ -274,7 +259,9 @@ final class OpenFiles {
 
     /** What names mean to a check, which looks at files with syntax errors by themselves. */
     private Workspace withoutBroken() {
-        return broken().isEmpty() ? workspace() : Workspace.of(units(), broken());
+        return broken().isEmpty()
+                ? workspace()
+                : Workspace.of(units(), broken(), List.of(), guests.laws().reader());
     }
 
     /** Of the files that parse. */

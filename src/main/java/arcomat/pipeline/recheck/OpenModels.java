@@ -8,10 +8,13 @@ import arcomat.pipeline.recheck.OpenFiles.OpenFile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.syntax.Parsed;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -30,7 +33,7 @@ import java.util.stream.Stream;
  *
  * <p>A value: an edit makes another one, and whoever still looks at the old one is not disturbed.
  */
-public final class OpenModels {
+public final class OpenModels implements ReadModels {
     private final boolean executable;
     private final OpenFiles files;
     private final Checked checked;
@@ -126,7 +129,34 @@ public final class OpenModels {
      * @param unit what could be read of it
      * @param workspace of all files, with this one
      */
-    public record Draft(Optional<Unit> unit, Workspace workspace) {}
+    public record Draft(Optional<Unit> unit, Workspace workspace) {
+
+        /**
+         * @param files what was read of all files, by their paths
+         * @param path of the one with another text
+         * @param written what was read of that
+         * @param reader of behaviours that are not read yet
+         */
+        public static Draft of(
+                Map<String, Parsed> files, String path, Parsed written, BehaviourReader reader) {
+            Map<String, Parsed> now = new LinkedHashMap<>(files);
+            now.put(path, written);
+            return new Draft(written.readable(), around(now, reader));
+        }
+
+        /** What names mean, also in what could be read of files with syntax errors. */
+        public static Workspace around(Map<String, Parsed> files, BehaviourReader reader) {
+            List<Unit> recovered = new ArrayList<>();
+            List<Unit> units = new ArrayList<>();
+            Set<String> broken = new HashSet<>();
+            files.forEach(
+                    (path, parsed) -> {
+                        parsed.recovered().map(Recovered::unit).ifPresent(recovered::add);
+                        parsed.unit().ifPresentOrElse(units::add, () -> broken.add(path));
+                    });
+            return Workspace.around(recovered, units, broken, List.of(), reader);
+        }
+    }
 
     /**
      * What names would mean if a file had another text. It is less than an edit: nothing is
@@ -209,16 +239,19 @@ public final class OpenModels {
     }
 
     /** All files, those of libraries and the tool's that they need included. */
+    @Override
     public Set<String> paths() {
         return files.all().keySet();
     }
 
     /** A file, or nothing where there is none of that path or it cannot be read. */
+    @Override
     public Optional<SourceFile> source(String path) {
         return files.file(path).flatMap(OpenFile::source);
     }
 
     /** What came of reading the text as it is now. */
+    @Override
     public Optional<Parsed> parsed(String path) {
         return files.file(path).map(OpenFile::parsed);
     }
@@ -229,6 +262,7 @@ public final class OpenModels {
     }
 
     /** What names mean now, also in what could be read of files with syntax errors. */
+    @Override
     public Workspace workspace() {
         return files.workspace();
     }

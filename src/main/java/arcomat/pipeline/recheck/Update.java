@@ -170,7 +170,7 @@ final class Update {
             }
         }
         session.progress().step("checking", affected.size(), "model");
-        Workspace workspace = Workspace.of(units, broken, outlines);
+        Workspace workspace = Workspace.of(units, broken, outlines, session.laws().reader());
         return merge(
                 CheckedModels.review(
                                 session.laws(),

@@ -4,6 +4,7 @@ import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Answered.Question;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.model.Component;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.verdict.TextVerdict.Sheet;
 import arcomat.pipeline.verdict.TextVerdict.Tone;
@@ -16,7 +17,7 @@ import arcomat.symbols.signatures.Signature;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Whether promises are kept, each at the clause, the automaton or the invariant that makes it. A
@@ -49,28 +50,39 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
 
     /** Where nothing was compared, one of the two takes arguments. */
     private boolean isAboutClause(Answered answered, VerdictPlace clause) {
-        Optional<Span> refined = refined(clause);
-        if (answered.question() != Question.REFINEMENT || refined.isEmpty()) {
-            return false;
-        }
-        List<Span> sides =
-                answered.sides().stream().map(Promise::component).map(each -> each.span()).toList();
-        return sides.isEmpty()
-                ? answered.place().equals(clause.subject())
-                        || answered.place().equals(refined.get())
-                : sides.equals(List.of(clause.subject(), refined.get()));
+        return answered.question() == Question.REFINEMENT
+                && meant(clause).anyMatch(each -> each.isAbout(answered));
     }
 
-    /** The whole text of the component that a clause names. */
-    private Optional<Span> refined(VerdictPlace clause) {
-        return models.checked().workspace().components().stream()
+    /** What a clause means for each configuration of the component that it stands at. */
+    private Stream<Meant> meant(VerdictPlace clause) {
+        return models.checked().workspace().meantComponents().stream()
                 .map(ComponentSymbol::signature)
-                .flatMap(each -> each.refines().stream())
-                .filter(each -> each.node().span().equals(clause.span()))
-                .flatMap(each -> each.resolution().found().stream())
-                .map(Signature::node)
-                .map(each -> each.span())
-                .findFirst();
+                .flatMap(
+                        heir ->
+                                heir.refines().stream()
+                                        .filter(each -> each.node().span().equals(clause.span()))
+                                        .flatMap(each -> each.resolution().found().stream())
+                                        .map(refined -> new Meant(heir, refined)));
+    }
+
+    /** A component and what it is to refine, each with its features chosen. */
+    private record Meant(Signature heir, Signature refined) {
+
+        boolean isAbout(Answered answered) {
+            List<Component> sides = answered.sides().stream().map(Promise::component).toList();
+            return sides.isEmpty()
+                    ? answered.place().equals(heir.node().span())
+                            || answered.place().equals(refined.node().span())
+                    : isOne(sides.get(0), heir) && isOne(sides.get(1), refined);
+        }
+
+        /** All configurations have one text. */
+        private static boolean isOne(Component compared, Signature component) {
+            boolean isChosen = !component.declaration().configuration().choices().isEmpty();
+            return compared.span().equals(component.node().span())
+                    && (!isChosen || compared.qualifiedName().equals(component.qualifiedName()));
+        }
     }
 
     private static boolean isAboutAutomaton(Answered answered, Span automaton) {

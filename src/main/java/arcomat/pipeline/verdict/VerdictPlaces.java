@@ -8,7 +8,6 @@ import arcomat.tree.Component;
 import arcomat.tree.Definition;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
-import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
@@ -54,9 +53,13 @@ public final class VerdictPlaces {
                                 new VerdictPlace(
                                         Kind.INHERITED, name, above.span(), component.span()))
                 .ifPresent(places::add);
-        for (QualifiedName each : component.refines()) {
-            String clause = name + " refines " + each.text();
-            places.add(new VerdictPlace(Kind.REFINEMENT, clause, each.span(), component.span()));
+        for (Component.Refined each : component.refined()) {
+            places.add(
+                    new VerdictPlace(
+                            Kind.REFINEMENT,
+                            name + " refines " + text(each),
+                            each.name().span(),
+                            component.span()));
         }
         for (Element.Invariant each : component.elements(Element.Invariant.class)) {
             String invariant = name + " " + each.name().text();
@@ -70,6 +73,12 @@ public final class VerdictPlaces {
             places.addAll(in(inner, name + "."));
         }
         return places;
+    }
+
+    /** With the features that are chosen: another choice is another promise. */
+    private static String text(Component.Refined refined) {
+        List<String> chosen = refined.arguments().stream().map(each -> each.span().text()).toList();
+        return refined.name().text() + (chosen.isEmpty() ? "" : chosen.toString());
     }
 
     /** Automata and tables. */

@@ -12,6 +12,7 @@ import arcomat.pipeline.file.FileReader;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
@@ -73,6 +74,20 @@ class OpenModelsTest {
         } finally {
             IncrementalCheckTest.delete(folder);
             IncrementalCheckTest.delete(others);
+        }
+    }
+
+    /** Nobody refers to tests in libraries, whatever is in them. */
+    @Example
+    void testsInLibrariesAreNotRead() throws IOException {
+        Path library = Files.createTempDirectory("library");
+        try {
+            Files.writeString(library.resolve("Bell.arc"), "component Bell {}");
+            Files.write(library.resolve("BellTest.mt"), new byte[] {0});
+            LibraryModels read = LibraryModels.in(List.of(library), Guests.NONE);
+            assertThat(read.files().keySet()).singleElement().asString().endsWith("Bell.arc");
+        } finally {
+            IncrementalCheckTest.delete(library);
         }
     }
 

@@ -273,7 +273,9 @@ class WorldTest {
         assertThat(run(meeting, one.seeds(), fetchers)).isEqualTo(one);
     }
 
-    /** The bound is lenient: the machine may be busy. The README says what was measured. */
+    /**
+     * The bound is lenient: the machine may be busy. docs/performance.md says what was measured.
+     */
     @Test
     @Tag("slow")
     void theMeetingRunsMuchFasterThanRealTime() {

@@ -1,0 +1,65 @@
+package montiarc7;
+
+import montiarc7.MontiArc7Parser.ArgumentsContext;
+import montiarc7.MontiArc7Parser.ComponentContext;
+import montiarc7.MontiArc7Parser.InstanceContext;
+import montiarc7.MontiArc7Parser.InstanceElementContext;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Parts, with what they are given: arguments, and choices of their features. */
+final class PartWriter {
+    private final Folder folder;
+    private final Scope scope;
+    private final Features features;
+
+    PartWriter(Folder folder, Scope scope, Features features) {
+        this.folder = folder;
+        this.scope = scope;
+        this.features = features;
+    }
+
+    String write(InstanceElementContext parts) {
+        String type = scope.types().component(parts.type());
+        Optional<ComponentContext> known = folder.component(parts.type().qname().getText());
+        StringBuilder written = new StringBuilder();
+        for (InstanceContext each : parts.instance()) {
+            ArgumentsContext own = each.arguments() == null ? parts.arguments() : each.arguments();
+            String name = each.name().getText();
+            List<String> given = arguments(own);
+            known.ifPresent(
+                    component -> given.addAll(features.arguments(name, component, own, each)));
+            written.append("component ").append(type).append(inBrackets(given));
+            written.append(' ').append(name).append(";\n");
+        }
+        return written.toString();
+    }
+
+    /** What a component gives to the one that it extends. */
+    String given(ArgumentsContext arguments) {
+        return inBrackets(arguments(arguments));
+    }
+
+    private List<String> arguments(ArgumentsContext arguments) {
+        List<String> all = new ArrayList<>();
+        if (arguments != null) {
+            arguments
+                    .argument()
+                    .forEach(
+                            each ->
+                                    all.add(
+                                            (each.name() == null
+                                                            ? ""
+                                                            : each.name().getText() + " = ")
+                                                    + new ExpressionWriter(scope)
+                                                            .write(each.expression())));
+        }
+        return all;
+    }
+
+    private static String inBrackets(List<String> arguments) {
+        return arguments.isEmpty() ? "" : "(" + String.join(", ", arguments) + ")";
+    }
+}

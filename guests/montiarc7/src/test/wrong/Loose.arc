@@ -1,0 +1,4 @@
+component Loose {
+  feature a, b;
+  port sync in int weight;
+}

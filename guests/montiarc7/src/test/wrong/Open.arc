@@ -1,0 +1,4 @@
+component Open {
+  port sync in int weight;
+  Loose part(a = true);
+}
