@@ -87,11 +87,18 @@ final class EditorClient implements LanguageClient, AutoCloseable {
      * @param folder the workspace
      */
     EditorClient(Path folder) throws IOException {
+        this(folder, Guests.NONE);
+    }
+
+    /**
+     * @param guests who bring languages
+     */
+    EditorClient(Path folder, Guests guests) throws IOException {
         this.folder = folder;
         // A PipedInputStream ends when the thread that wrote last does.
         Pipe toServer = Pipe.open();
         Pipe toClient = Pipe.open();
-        EditorServer served = new EditorServer("0", Guests.NONE, List.of());
+        EditorServer served = new EditorServer("0", guests, List.of());
         var serving =
                 LSPLauncher.createServerLauncher(
                         served,

@@ -2,6 +2,8 @@ package arcomat.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.editor.foreign.SignFiles;
+
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,7 +64,7 @@ class EditorScriptsTest {
                 Files.writeString(path, text);
             }
         }
-        try (EditorClient client = new EditorClient(folder)) {
+        try (EditorClient client = new EditorClient(folder, SignFiles.GUESTS)) {
             EditorScript script = new EditorScript(client);
             for (String line : lines.subList(at, lines.size())) {
                 if (line.startsWith(STEP)) {

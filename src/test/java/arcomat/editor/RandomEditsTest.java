@@ -244,7 +244,7 @@ class RandomEditsTest {
         assertThat(GoTo.definition(view, position)).doesNotContainNull();
         assertThat(NamedPlaces.references(view, position, true)).doesNotContainNull();
         assertThat(Fixes.at(view, Positions.all(view.file()), NO_FINDING)).doesNotContainNull();
-        assertThat(CanonicalLayout.of(view.file())).doesNotContainNull();
+        assertThat(CanonicalLayout.of(view)).doesNotContainNull();
         assertThat(HoverCard.at(view, position)).isNotNull();
         assertThat(ParameterHelp.at(view, offset)).isNotNull();
         assertThat(InlineFacts.in(view, Positions.all(view.file()))).doesNotContainNull();

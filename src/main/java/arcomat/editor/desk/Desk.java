@@ -125,9 +125,14 @@ public final class Desk {
         }
     }
 
+    /** Also one that a guest reads. */
+    private boolean isModel(Path file) {
+        return FileFinder.isModelFile(file) || guests.reader(file.toString()).isPresent();
+    }
+
     /** All models in a folder, but for those that have been on the screen before. */
     private Map<Path, FileReader.Read> texts(Path folder) {
-        FileFinder finder = new FileFinder(new PathNames(folder));
+        FileFinder finder = new FileFinder(new PathNames(folder), guests.endings());
         finder.find(folder.toString());
         return texts(
                 finder.files().stream()
@@ -174,7 +179,7 @@ public final class Desk {
         read();
         boolean alone = roots.of(file).isEmpty() && folders.stream().noneMatch(file::startsWith);
         write(file, text);
-        if (alone && FileFinder.isModelFile(file)) {
+        if (alone && isModel(file)) {
             roots.of(file).map(OpenModels::root).ifPresent(root -> addNeighbours(root, file));
         }
     }
@@ -194,7 +199,7 @@ public final class Desk {
      * all have been, or more is to be known first.
      */
     public Optional<FirstLook> firstLook(Path file) {
-        return early.contains(file) && FileFinder.isModelFile(file)
+        return early.contains(file) && isModel(file)
                 ? onScreen(file).flatMap(text -> roots.firstLook(file, text.text()))
                 : Optional.empty();
     }
@@ -202,7 +207,7 @@ public final class Desk {
     private void write(Path file, String text) {
         SourceFile source = new SourceFile(file.toString(), text);
         screen.put(file, source);
-        if (FileFinder.isModelFile(file)) {
+        if (isModel(file)) {
             roots.take(Map.of(file, FileReader.Read.of(source)));
         }
     }
@@ -241,9 +246,7 @@ public final class Desk {
     public void changedOnDisk(Collection<Path> files) {
         read();
         List<Path> others =
-                files.stream()
-                        .filter(file -> !screen.containsKey(file) && FileFinder.isModelFile(file))
-                        .toList();
+                files.stream().filter(file -> !screen.containsKey(file) && isModel(file)).toList();
         if (files.stream().anyMatch(roots.libraries()::holds)) {
             referTo(libraries);
         }

@@ -2,6 +2,8 @@ package arcomat.editor.desk;
 
 import arcomat.guest.host.Guests;
 import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.FirstLook;
@@ -10,6 +12,7 @@ import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -136,8 +139,9 @@ final class Roots {
     }
 
     private void take(Path file, FileReader.Read read, Map<Path, Change> changes) {
-        Path home = home(file, packageName(read));
-        Path last = homes.put(file, home);
+        Path last = homes.get(file);
+        Path home = home(file, read, Optional.ofNullable(last));
+        homes.put(file, home);
         if (last != null && !last.equals(home)) {
             change(last, changes).removed().add(path(last, file));
         }
@@ -212,6 +216,27 @@ final class Roots {
         Optional<Path> said =
                 packageName.isEmpty() ? Optional.empty() : ModelRoot.of(packageName, file);
         return together(said.or(() -> around(folder)).orElse(folder));
+    }
+
+    /**
+     * Where a guest reads the file, the package may be said in what it stands for, or nowhere: then
+     * it stays where it was.
+     */
+    private Path home(Path file, FileReader.Read read, Optional<Path> last) {
+        String written = packageName(read);
+        if (!written.isEmpty() || guests.reader(file.toString()).isEmpty()) {
+            return home(file, written);
+        }
+        Optional<String> meant =
+                read.file().stream()
+                        .flatMap(
+                                text ->
+                                        ModelLoader.parse(List.of(text), guests, Progress.NONE)
+                                                .stream())
+                        .flatMap(parsed -> parsed.unit().stream())
+                        .map(Unit::packageText)
+                        .findFirst();
+        return meant.isEmpty() && last.isPresent() ? last.get() : home(file, meant.orElse(""));
     }
 
     /** Builds keep tests apart from what they are about: both belong to the folder above. */

@@ -1,6 +1,7 @@
 package arcomat.editor.desk;
 
 import arcomat.editor.text.Positions;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -12,6 +13,7 @@ import org.eclipse.lsp4j.Position;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 
 /**
@@ -24,6 +26,11 @@ import java.util.function.Function;
  */
 public record View(
         OpenModels models, SourceFile file, Parsed parsed, Function<String, Path> addresses) {
+
+    /** Who reads the file, where it is not in the tool's own language. */
+    public Optional<Guests.Reader> reader() {
+        return models.guests().reader(file.path());
+    }
 
     /** Where editors find the file. */
     public Path place() {

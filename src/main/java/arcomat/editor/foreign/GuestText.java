@@ -4,7 +4,10 @@ import arcomat.check.guest.GuestThread;
 import arcomat.editor.desk.View;
 import arcomat.guest.BehaviourLanguage.Suggestion;
 import arcomat.guest.BehaviourLanguage.Written;
+import arcomat.guest.SituatedLanguage;
+import arcomat.guest.Vicinity;
 import arcomat.guest.host.Guests.Language;
+import arcomat.pipeline.guest.VicinityView;
 import arcomat.source.Span;
 import arcomat.syntax.Parser;
 import arcomat.syntax.WrittenWords;
@@ -15,6 +18,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
@@ -68,19 +72,31 @@ public record GuestText(Language language, Behaviour.Foreign behaviour) {
     }
 
     /** What could be written there; the words of the language where its guest fails. */
-    public List<Suggestion> suggestions(int offset) {
+    public List<Suggestion> suggestions(View view, int offset) {
         Written written = new Written(behaviour.keyword().span(), behaviour.name(), body());
+        int inside = offset - body().start();
+        Callable<List<Suggestion>> question =
+                language.translator() instanceof SituatedLanguage situated
+                        ? situation(view)
+                                .<Callable<List<Suggestion>>>map(
+                                        around ->
+                                                () -> situated.suggestions(written, around, inside))
+                                .orElse(() -> situated.suggestions(written, inside))
+                        : () -> language.translator().suggestions(written, inside);
         try {
             return new GuestThread(language.guest(), LIMIT)
-                    .call(
-                            () ->
-                                    List.copyOf(
-                                            language.translator()
-                                                    .suggestions(
-                                                            written, offset - body().start())));
+                    .call(() -> List.copyOf(question.call()));
         } catch (ExecutionException | TimeoutException e) {
             return words(language);
         }
+    }
+
+    /** Of the component around it, as far as that can be read. */
+    private Optional<Vicinity> situation(View view) {
+        return view.models().workspace().components().stream()
+                .filter(each -> each.node().span().isAround(behaviour.span()))
+                .reduce((outer, inner) -> inner)
+                .map(each -> VicinityView.of(each.signature()));
     }
 
     /** All that may stand in texts of a language. */

@@ -64,7 +64,7 @@ final class ImplicitNames {
                         inner.superComponent()
                                 .map(type -> type.span().end())
                                 .orElse(inner.name().span().end()),
-                        inner.refines().stream()
+                        inner.refined().stream()
                                 .mapToInt(name -> name.span().end())
                                 .max()
                                 .orElse(0));

@@ -1,7 +1,7 @@
 package arcomat.editor.name;
 
 import arcomat.editor.desk.View;
-import arcomat.pipeline.recheck.OpenModels;
+import arcomat.pipeline.recheck.ReadModels;
 import arcomat.source.SourceFile;
 import arcomat.symbols.occurrences.Occurrence;
 import arcomat.symbols.occurrences.Occurrences;
@@ -17,7 +17,7 @@ public final class Mentions {
     private Mentions() {}
 
     /** All names of a file, in text order; none where nothing of it can be read. */
-    public static List<Occurrence> in(OpenModels models, String path) {
+    public static List<Occurrence> in(ReadModels models, String path) {
         return models.parsed(path)
                 .flatMap(parsed -> parsed.readable())
                 .map(unit -> Occurrences.of(models.workspace(), unit))
@@ -28,9 +28,14 @@ public final class Mentions {
         return in(view.models(), view.file().path());
     }
 
-    /** What a cursor is in, or else what it is right behind. */
     public static Optional<Occurrence> at(View view, int offset) {
-        List<Occurrence> touched = in(view).stream().filter(each -> each.touches(offset)).toList();
+        return at(view.models(), view.file().path(), offset);
+    }
+
+    /** What a cursor is in, or else what it is right behind. */
+    public static Optional<Occurrence> at(ReadModels models, String path, int offset) {
+        List<Occurrence> touched =
+                in(models, path).stream().filter(each -> each.touches(offset)).toList();
         return touched.stream()
                 .filter(each -> offset < each.span().end())
                 .findFirst()
@@ -41,7 +46,7 @@ public final class Mentions {
      * All places where something is named, file by file; that of its declaration is among them,
      * unless the name is implicit.
      */
-    public static List<Occurrence> of(OpenModels models, Referent referent) {
+    public static List<Occurrence> of(ReadModels models, Referent referent) {
         return withWord(models, referent.name())
                 .flatMap(path -> in(models, path).stream())
                 .filter(each -> each.referent().equals(referent))
@@ -49,7 +54,7 @@ public final class Mentions {
     }
 
     /** The files in which a word stands, be it in a comment: it is quicker than to read them. */
-    public static Stream<String> withWord(OpenModels models, String word) {
+    public static Stream<String> withWord(ReadModels models, String word) {
         return models.paths().stream()
                 .filter(
                         path ->

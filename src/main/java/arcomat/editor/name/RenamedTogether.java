@@ -1,5 +1,6 @@
 package arcomat.editor.name;
 
+import arcomat.source.ArrayNames;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -54,8 +55,8 @@ final class RenamedTogether {
     }
 
     private void addNeighbours(Referent referent) {
-        if (referent instanceof Referent.Port port) {
-            addPorts(port);
+        if (referent.one() instanceof Referent.Port port) {
+            addPorts(port.symbol().name(), referent);
         } else if (referent instanceof Referent.Parameter parameter) {
             addParameters(parameter);
         } else {
@@ -67,8 +68,12 @@ final class RenamedTogether {
         return workspace.components().stream().map(ComponentSymbol::signature);
     }
 
-    private void addPorts(Referent.Port renamed) {
-        String name = renamed.name();
+    /** Arrays that are compared have their first elements. */
+    private void addPorts(String declared, Referent renamed) {
+        String name =
+                ArrayNames.isElement(declared)
+                        ? ArrayNames.element(ArrayNames.array(declared), 0)
+                        : declared;
         signatures()
                 .forEach(
                         component -> {
@@ -88,17 +93,18 @@ final class RenamedTogether {
     }
 
     private static List<Referent> ports(Optional<PortSymbol> one, Optional<PortSymbol> other) {
-        return Stream.of(one, other)
-                .flatMap(Optional::stream)
-                .<Referent>map(Referent.Port::new)
-                .toList();
+        return Stream.of(one, other).flatMap(Optional::stream).map(RenamedTogether::named).toList();
     }
 
     /** In a component and those above, if the component itself declares one of them. */
     private static List<Referent> declaredAlong(Signature component, String name) {
         return along(component, name, Signature::ownPorts, PortSymbol::name).stream()
-                .<Referent>map(Referent.Port::new)
+                .map(RenamedTogether::named)
                 .toList();
+    }
+
+    private static Referent named(PortSymbol port) {
+        return Referent.Array.around(new Referent.Port(port));
     }
 
     private static <T> List<T> along(

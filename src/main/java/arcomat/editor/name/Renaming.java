@@ -1,6 +1,7 @@
 package arcomat.editor.name;
 
 import arcomat.editor.desk.View;
+import arcomat.guest.host.Guests;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
@@ -47,6 +48,7 @@ public final class Renaming {
             refuseUnread(models, each);
         }
         RenamePlan plan = RenamePlan.of(models, names);
+        refuseForeignTexts(models, plan);
         OpenModels after = plan.applied(models).check(goOn);
         Optional<String> obstacle = RenameCheck.obstacle(plan, models, after);
         if (obstacle.isPresent()) {
@@ -68,6 +70,12 @@ public final class Renaming {
             throw new RenameRefused("'%s' is built in".formatted(referent.name()));
         }
         String path = file.get().path();
+        Optional<Guests.Reader> reader = models.guests().reader(path);
+        if (reader.isPresent()) {
+            throw new RenameRefused(
+                    "'%s' comes from '%s', a text of guest '%s', who alone knows how it is written; rename it there by hand"
+                            .formatted(referent.name(), path, reader.get().guest()));
+        }
         Path place = models.root().resolve(path);
         if (models.libraries().holds(place)) {
             throw new RenameRefused(
@@ -78,6 +86,27 @@ public final class Renaming {
             throw new RenameRefused(
                     "'%s' belongs to the library that comes with the tool"
                             .formatted(referent.name()));
+        }
+    }
+
+    /** What else a word says in a guest's language, nobody else knows. */
+    private static void refuseForeignTexts(OpenModels models, RenamePlan plan)
+            throws RenameRefused {
+        for (String path : plan.edits().keySet()) {
+            Optional<Guests.Reader> reader = models.guests().reader(path);
+            if (reader.isPresent()) {
+                throw new RenameRefused(
+                        "'%s' stands in '%s', a text of guest '%s', who alone knows how it is written; rename it by hand"
+                                .formatted(
+                                        String.join(
+                                                "', '",
+                                                plan.names().keySet().stream()
+                                                        .map(Referent::name)
+                                                        .distinct()
+                                                        .toList()),
+                                        path,
+                                        reader.get().guest()));
+            }
         }
     }
 

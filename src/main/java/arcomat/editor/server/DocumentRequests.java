@@ -96,6 +96,7 @@ final class DocumentRequests extends NameRequests {
                 (desk, canceled) ->
                         file
                                 .flatMap(desk::view)
+                                .filter(view -> view.reader().isEmpty())
                                 .map(view -> Fixes.at(view, params.getRange(), params.getContext()))
                                 .orElse(List.of())
                                 .stream()
@@ -123,6 +124,7 @@ final class DocumentRequests extends NameRequests {
     private static List<CompletionItem> completion(Desk desk, CompletionParams params) {
         return Positions.path(params.getTextDocument().getUri())
                 .flatMap(desk::view)
+                .filter(view -> view.reader().isEmpty())
                 .map(view -> Completion.at(view, view.offset(params.getPosition())))
                 .orElse(List.of());
     }
@@ -144,16 +146,14 @@ final class DocumentRequests extends NameRequests {
 
     @Override
     public CompletableFuture<List<? extends TextEdit>> formatting(DocumentFormattingParams params) {
-        return ask(params.getTextDocument(), view -> CanonicalLayout.of(view.file()))
+        return askOwn(params.getTextDocument(), view -> CanonicalLayout.of(view))
                 .thenApply(edits -> edits);
     }
 
     @Override
     public CompletableFuture<List<? extends TextEdit>> rangeFormatting(
             DocumentRangeFormattingParams params) {
-        return ask(
-                        params.getTextDocument(),
-                        view -> CanonicalLayout.in(view.file(), params.getRange()))
+        return askOwn(params.getTextDocument(), view -> CanonicalLayout.in(view, params.getRange()))
                 .thenApply(edits -> edits);
     }
 }

@@ -46,6 +46,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The server as the protocol sees it: what it can do, and how it begins and ends. */
 public final class EditorServer implements LanguageServer {
@@ -80,6 +81,7 @@ public final class EditorServer implements LanguageServer {
     private boolean greeted;
 
     private boolean shutDown;
+    private final Guests guests;
 
     /**
      * @param version of the tool
@@ -89,6 +91,7 @@ public final class EditorServer implements LanguageServer {
     public EditorServer(String version, Guests guests, List<Path> libraries) {
         this.version = version;
         this.libraries = List.copyOf(libraries);
+        this.guests = guests;
         this.worker = new Worker(guests, this::publish);
         this.verdicts = new Verdicts(asking, QUIET, this::refreshLenses);
         this.verdictRequests = new VerdictRequests(worker, verdicts, this::show);
@@ -168,7 +171,11 @@ public final class EditorServer implements LanguageServer {
         if (abilities.watches()) {
             var options =
                     new DidChangeWatchedFilesRegistrationOptions(
-                            List.of(new FileSystemWatcher(Either.forLeft(FILES))));
+                            Stream.concat(
+                                            Stream.of(FILES),
+                                            guests.endings().stream().map(each -> "**/*" + each))
+                                    .map(each -> new FileSystemWatcher(Either.forLeft(each)))
+                                    .toList());
             var registration =
                     new Registration("files", "workspace/didChangeWatchedFiles", options);
             // An editor that says no does without.

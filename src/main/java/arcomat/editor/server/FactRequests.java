@@ -14,6 +14,7 @@ import org.eclipse.lsp4j.SignatureHelpOptions;
 import org.eclipse.lsp4j.SignatureHelpParams;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
 /** What editors ask in order to show it beside a text. */
@@ -38,11 +39,14 @@ abstract class FactRequests extends ShapeRequests {
     public CompletableFuture<SignatureHelp> signatureHelp(SignatureHelpParams params) {
         return askOne(
                 params.getTextDocument(),
-                view -> ParameterHelp.at(view, view.offset(params.getPosition())));
+                view ->
+                        view.reader().isPresent()
+                                ? Optional.empty()
+                                : ParameterHelp.at(view, view.offset(params.getPosition())));
     }
 
     @Override
     public CompletableFuture<List<InlayHint>> inlayHint(InlayHintParams params) {
-        return ask(params.getTextDocument(), view -> InlineFacts.in(view, params.getRange()));
+        return askOwn(params.getTextDocument(), view -> InlineFacts.in(view, params.getRange()));
     }
 }

@@ -65,6 +65,12 @@ abstract class ShapeRequests implements TextDocumentService {
                                 .orElse(List.of()));
     }
 
+    /** Asks about what is written in the tool's language: nobody else knows how a guest's is. */
+    final <T> CompletableFuture<List<T>> askOwn(
+            TextDocumentIdentifier document, Function<View, List<T>> question) {
+        return ask(document, view -> view.reader().isPresent() ? List.of() : question.apply(view));
+    }
+
     /** The same where there is one answer or none, which the protocol calls null. */
     final <T> CompletableFuture<T> askOne(
             TextDocumentIdentifier document, Function<View, Optional<T>> question) {
@@ -89,12 +95,12 @@ abstract class ShapeRequests implements TextDocumentService {
 
     @Override
     public CompletableFuture<List<FoldingRange>> foldingRange(FoldingRangeRequestParams params) {
-        return ask(params.getTextDocument(), Folds::of);
+        return askOwn(params.getTextDocument(), Folds::of);
     }
 
     @Override
     public CompletableFuture<List<SelectionRange>> selectionRange(SelectionRangeParams params) {
-        return ask(params.getTextDocument(), view -> Selections.at(view, params.getPositions()));
+        return askOwn(params.getTextDocument(), view -> Selections.at(view, params.getPositions()));
     }
 
     @Override

@@ -10,6 +10,8 @@ import arcomat.editor.desk.View;
 import arcomat.editor.text.Positions;
 import arcomat.guest.BehaviourLanguage;
 import arcomat.guest.Meaning;
+import arcomat.guest.SituatedLanguage;
+import arcomat.guest.Vicinity;
 import arcomat.guest.host.Guests;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
@@ -69,13 +71,44 @@ class GuestTextTest {
         }
     }
 
+    /** Offers the ports that are around. */
+    private record Looking() implements SituatedLanguage {
+        @Override
+        public String keyword() {
+            return "blink";
+        }
+
+        @Override
+        public List<Suggestion> suggestions(Written behaviour, Vicinity around, int offset) {
+            return around.of(Vicinity.Kind.OUTPUT).stream()
+                    .map(each -> new Suggestion(each.name(), each.type().name()))
+                    .toList();
+        }
+
+        @Override
+        public void translate(Written behaviour, Vicinity around, Meaning meaning) {
+            meaning.problem(behaviour.keyword(), "never right");
+        }
+    }
+
     private static View view(String text, boolean isExact) {
-        BehaviourLanguage language = new Blinking(isExact);
+        return view(text, new Blinking(isExact));
+    }
+
+    private static View view(String text, BehaviourLanguage language) {
         Guests.Language known =
                 new Guests.Language(
                         "lamps", "blink", List.of(), new TreeMap<>(language.words()), language);
         Guests guests =
-                new Guests(LawBook.OWN, List.of(), List.of(known), List.of(), List.of(), List.of());
+                new Guests(
+                        LawBook.OWN,
+                        List.of(),
+                        List.of(known),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        List.of());
         SourceFile file = new SourceFile("p/Lamp.arc", text);
         OpenModels models =
                 OpenModels.in(Path.of("models").toAbsolutePath(), false, guests)
@@ -88,8 +121,12 @@ class GuestTextTest {
     }
 
     private static List<String> offered(String text, boolean isExact) {
+        return offered(text, new Blinking(isExact));
+    }
+
+    private static List<String> offered(String text, BehaviourLanguage language) {
         int bar = text.indexOf('|');
-        View view = view(text.replace("|", ""), isExact);
+        View view = view(text.replace("|", ""), language);
         return Completion.at(view, bar).stream().map(CompletionItem::getLabel).sorted().toList();
     }
 
@@ -129,6 +166,15 @@ class GuestTextTest {
         assertThat(offered(lamp("blink lit { | }"), true)).containsExactly("first");
         assertThat(offered(lamp("blink lit { on 2, | }"), true)).containsExactly("later");
         assertThat(offered(lamp("blink lit { throw | }"), true)).containsExactly("off", "on");
+    }
+
+    /** Also while the rest of the file cannot be read. */
+    @Test
+    void aLanguageThatAsksForItKnowsWhatIsAround() {
+        String text = lamp("blink lit { | }");
+        assertThat(offered(text, new Looking())).containsExactly("lit");
+        assertThat(offered(text.replace("blink", "connect ;\n blink"), new Looking()))
+                .containsExactly("lit");
     }
 
     @Test

@@ -114,6 +114,11 @@ class OccurrencesTest {
                                 .span(invariant.name().span().end(), invariant.span().end()));
             }
         }
+        if (node instanceof Expression.Domain domain && domain.named().isEmpty()) {
+            Span written = domain.span();
+            int kind = written.text().indexOf('{');
+            spans.add(written.file().span(written.start(), written.start() + kind));
+        }
         boolean isNamedNumber =
                 node instanceof Expression.Reference reference
                         && Set.of("NaN", "Infinity").contains(reference.name().text());

@@ -6,7 +6,6 @@ import arcomat.editor.text.Positions;
 import arcomat.guest.BehaviourLanguage.Suggestion;
 import arcomat.guest.host.Guests;
 import arcomat.syntax.Caret;
-import arcomat.syntax.Continuations;
 
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionItemKind;
@@ -14,26 +13,15 @@ import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * What could be written at a place: names that fit before keywords, keywords before whole pieces.
  * In a text of a guest's language it is what the guest says.
  */
 public final class Completion {
-    /** What the grammar takes for the sake of old models, and nobody should begin with. */
-    private static final Set<String> OUTDATED =
-            Set.of(
-                    "boolean", "byte", "call", "char", "double", "float", "int", "long", "new",
-                    "null", "short");
-
-    /** A word that behaviours begin with, and only behaviours of components. */
-    private static final String BEHAVIOUR = "table";
-
     private Completion() {}
 
     public static List<CompletionItem> at(View view, int offset) {
@@ -45,31 +33,22 @@ public final class Completion {
         Optional<GuestText> foreign = GuestText.around(view, offset);
         if (foreign.isPresent()) {
             return placed(
-                    foreign.get().suggestions(offset).stream().map(Completion::item).toList(),
+                    foreign.get().suggestions(view, offset).stream().map(Completion::item).toList(),
                     caret);
         }
-        Continuations possible = Continuations.at(caret, view.file());
-        Map<String, CompletionItem> items = new LinkedHashMap<>();
-        KnownNames known = new KnownNames(WritingPlace.of(view, caret));
-        possible.names().stream()
-                .flatMap(rules -> known.at(rules).stream())
-                .forEach(name -> items.putIfAbsent(name.label(), item(name)));
-        for (String word : possible.words()) {
-            if (!OUTDATED.contains(word)) {
-                items.putIfAbsent(word, keyword(word));
-            }
-        }
-        for (Skeleton skeleton : Skeleton.ALL) {
-            if (skeleton.fits(possible)) {
-                items.putIfAbsent(skeleton.label(), skeleton.item());
-            }
-        }
-        if (possible.words().contains(BEHAVIOUR)) {
+        Offers offers = Offers.at(view.file(), WritingPlace.of(view, caret));
+        List<CompletionItem> items = new ArrayList<>();
+        offers.names().forEach(name -> items.add(item(name)));
+        offers.words().forEach(word -> items.add(keyword(word)));
+        offers.pieces().forEach(piece -> items.add(CompletionItems.piece(piece)));
+        if (offers.isBehaviour()) {
             for (Guests.Language each : view.models().guests().languages()) {
-                items.putIfAbsent(each.keyword(), keyword(each));
+                if (items.stream().noneMatch(item -> item.getLabel().equals(each.keyword()))) {
+                    items.add(keyword(each));
+                }
             }
         }
-        return placed(List.copyOf(items.values()), caret);
+        return placed(List.copyOf(items), caret);
     }
 
     private static List<CompletionItem> placed(List<CompletionItem> items, Caret caret) {
@@ -93,7 +72,7 @@ public final class Completion {
 
     private static CompletionItem item(Proposal name) {
         CompletionItem item = new CompletionItem(name.label());
-        item.setKind(name.kind());
+        item.setKind(CompletionItems.kind(name.kind()));
         item.setDetail(name.detail());
         item.setSortText("1" + name.label());
         item.setAdditionalTextEdits(

@@ -1,5 +1,6 @@
 package arcomat.editor.answer.completion;
 
+import arcomat.editor.answer.completion.Proposal.Kind;
 import arcomat.source.Fix.TextEdit;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -9,8 +10,6 @@ import arcomat.symbols.names.UnitScope;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
-
-import org.eclipse.lsp4j.CompletionItemKind;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -34,13 +33,7 @@ record KnownDefinitions(WritingPlace place) {
         Optional<ComponentSymbol> around = place.component();
         return place.workspace().topLevelComponents().stream()
                 .filter(each -> around.filter(own -> own == each).isEmpty())
-                .map(
-                        each ->
-                                named(
-                                        each.name(),
-                                        CompletionItemKind.Class,
-                                        each.qualifiedName(),
-                                        isSeen(each)))
+                .map(each -> named(each.name(), Kind.COMPONENT, each.qualifiedName(), isSeen(each)))
                 .toList();
     }
 
@@ -52,8 +45,7 @@ record KnownDefinitions(WritingPlace place) {
 
     List<Proposal> types() {
         Stream<Proposal> builtin =
-                USUAL.stream()
-                        .map(type -> Proposal.of(type.text(), CompletionItemKind.Struct, "type"));
+                USUAL.stream().map(type -> Proposal.of(type.text(), Kind.BUILTIN_TYPE, "type"));
         Stream<Proposal> defined =
                 place.workspace().diagrams().stream()
                         .flatMap(diagram -> diagram.types().stream())
@@ -61,7 +53,7 @@ record KnownDefinitions(WritingPlace place) {
                                 type ->
                                         named(
                                                 type.text(),
-                                                CompletionItemKind.Enum,
+                                                Kind.TYPE,
                                                 type.qualifiedName(),
                                                 isSeen(type)));
         return Stream.concat(builtin, defined).toList();
@@ -82,8 +74,7 @@ record KnownDefinitions(WritingPlace place) {
         return new QualifiedName(typed, List.of(new Name(typed, name)));
     }
 
-    private Proposal named(
-            String name, CompletionItemKind kind, String qualifiedName, boolean seen) {
+    private Proposal named(String name, Kind kind, String qualifiedName, boolean seen) {
         List<TextEdit> needed = new ArrayList<>();
         if (!seen && !qualifiedName.equals(name)) {
             place.unit().ifPresent(unit -> needed.add(importing(qualifiedName, unit)));

@@ -1,13 +1,16 @@
 package arcomat.editor.answer.completion;
 
+import arcomat.source.ArrayNames;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.names.TypeSymbol;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
@@ -27,34 +30,63 @@ record KnownEnds(WritingPlace place) {
 
     /** The part whose port is being written, if one is. */
     private Optional<InstanceSymbol> part(ComponentSymbol component) {
-        return place.word(1).equals(".") ? component.instance(place.word(2)) : Optional.empty();
+        return place.word(1).equals(".")
+                ? oneOf(place.name(2), component::instance)
+                : Optional.empty();
+    }
+
+    /** Of a whole array, its first element: all have the same ports and the same type. */
+    private static <T> Optional<T> oneOf(String name, Function<String, Optional<T>> find) {
+        return find.apply(name).or(() -> find.apply(ArrayNames.element(name, 0)));
+    }
+
+    /** Elements, and the arrays that they are of. */
+    private static List<Proposal> ports(List<PortSymbol> ports, Collection<PortSymbol> all) {
+        List<String> names = all.stream().map(PortSymbol::name).toList();
+        return Stream.concat(
+                        Proposal.arrays(ports.stream(), names, PortSymbol::name, Proposal::of)
+                                .stream(),
+                        ports.stream().map(port -> Proposal.of(port)))
+                .toList();
+    }
+
+    private static List<Proposal> parts(
+            List<InstanceSymbol> parts, Collection<InstanceSymbol> all) {
+        List<String> names = all.stream().map(InstanceSymbol::name).toList();
+        return Stream.concat(
+                        Proposal.arrays(parts.stream(), names, InstanceSymbol::name, Proposal::of)
+                                .stream(),
+                        parts.stream().map(part -> Proposal.of(part)))
+                .toList();
     }
 
     private List<Proposal> senders(ComponentSymbol component) {
         if (place.word(1).equals(".")) {
             return part(component).stream()
-                    .flatMap(part -> part.ports().stream())
-                    .filter(PortSymbol::isOutput)
-                    .map(port -> Proposal.of(port))
+                    .flatMap(part -> ports(senders(part), part.ports()).stream())
                     .toList();
         }
-        Stream<Proposal> own =
-                component.ports().stream()
-                        .filter(PortSymbol::isInput)
-                        .map(port -> Proposal.of(port));
-        Stream<Proposal> parts =
-                component.instances().stream()
-                        .filter(part -> part.ports().stream().anyMatch(PortSymbol::isOutput))
-                        .map(part -> Proposal.of(part));
-        return Stream.concat(own, parts).toList();
+        List<Proposal> own =
+                ports(
+                        component.ports().stream().filter(PortSymbol::isInput).toList(),
+                        component.ports());
+        List<Proposal> parts =
+                parts(
+                        component.instances().stream()
+                                .filter(part -> !senders(part).isEmpty())
+                                .toList(),
+                        component.instances());
+        return Stream.concat(own.stream(), parts.stream()).toList();
     }
 
     private List<Proposal> receivers(ComponentSymbol component) {
         Optional<TypeSymbol> type = sender(component).map(PortSymbol::type);
         if (place.word(1).equals(".")) {
             return part(component).stream()
-                    .flatMap(part -> fitting(free(component, part), type).stream())
-                    .map(port -> Proposal.of(port))
+                    .flatMap(
+                            part ->
+                                    ports(fitting(free(component, part), type), part.ports())
+                                            .stream())
                     .toList();
         }
         List<Proposal> proposals = new ArrayList<>();
@@ -63,11 +95,18 @@ record KnownEnds(WritingPlace place) {
                         .filter(PortSymbol::isOutput)
                         .filter(port -> component.connectorTo(port.name()).isEmpty())
                         .toList();
-        fitting(own, type).forEach(port -> proposals.add(Proposal.of(port)));
-        component.instances().stream()
-                .filter(part -> !free(component, part).isEmpty())
-                .forEach(part -> proposals.add(Proposal.of(part)));
+        proposals.addAll(ports(fitting(own, type), component.ports()));
+        proposals.addAll(
+                parts(
+                        component.instances().stream()
+                                .filter(part -> !free(component, part).isEmpty())
+                                .toList(),
+                        component.instances()));
         return proposals;
+    }
+
+    private static List<PortSymbol> senders(InstanceSymbol part) {
+        return part.ports().stream().filter(PortSymbol::isOutput).toList();
     }
 
     private static List<PortSymbol> free(ComponentSymbol component, InstanceSymbol part) {
@@ -92,11 +131,14 @@ record KnownEnds(WritingPlace place) {
     /** What stands before the arrow, behind the word that begins the connector. */
     private Optional<PortSymbol> sender(ComponentSymbol component) {
         List<String> words = place.caret().statement();
-        int arrow = words.indexOf(ARROW);
-        if (arrow >= 3 && words.get(arrow - 2).equals(".")) {
-            String port = words.get(arrow - 1);
-            return component.instance(words.get(arrow - 3)).flatMap(part -> part.port(port));
+        if (!words.contains(ARROW)) {
+            return Optional.empty();
         }
-        return arrow >= 1 ? component.port(words.get(arrow - 1)) : Optional.empty();
+        int before = words.size() - words.indexOf(ARROW) + 1;
+        int dot = before + (place.word(before).equals("]") ? 4 : 1);
+        return place.word(dot).equals(".")
+                ? oneOf(place.name(dot + 1), component::instance)
+                        .flatMap(part -> oneOf(place.name(before), part::port))
+                : oneOf(place.name(before), component::port);
     }
 }

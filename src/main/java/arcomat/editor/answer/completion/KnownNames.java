@@ -1,11 +1,10 @@
 package arcomat.editor.answer.completion;
 
+import arcomat.editor.answer.completion.Proposal.Kind;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.expressions.PortSymbol;
-
-import org.eclipse.lsp4j.CompletionItemKind;
 
 import java.util.List;
 import java.util.function.Predicate;
@@ -19,11 +18,16 @@ import java.util.stream.Stream;
 record KnownNames(WritingPlace place) {
 
     /**
-     * @param rules of the grammar around the name, innermost first
+     * @param all rules of the grammar around the name, innermost first
      */
-    List<Proposal> at(List<String> rules) {
+    List<Proposal> at(List<String> all) {
+        List<String> rules = withoutPlaces(all);
         String inner = rules.isEmpty() ? "" : rules.get(0);
         String outer = rules.size() < 2 ? "" : rules.get(1);
+        KnownFeatures features = new KnownFeatures(place);
+        if (features.areMeant(rules)) {
+            return features.proposals();
+        }
         return switch (inner) {
             case "automatonElement" -> states();
             case "item" -> new KnownValues(place).targets(place.says("/"));
@@ -36,6 +40,14 @@ record KnownNames(WritingPlace place) {
                     new KnownDefinitions(place).types();
             default -> List.of();
         };
+    }
+
+    /** A place is a name with a number at most, a path of them one with dots. */
+    private static List<String> withoutPlaces(List<String> rules) {
+        return rules.stream()
+                .filter(rule -> !rule.equals("place"))
+                .map(rule -> rule.equals("qualifiedPlace") ? "qualifiedName" : rule)
+                .toList();
     }
 
     private List<Proposal> qualified(String outer, List<String> rules) {
@@ -54,6 +66,11 @@ record KnownNames(WritingPlace place) {
     private List<Proposal> type(List<String> around) {
         String outer = around.isEmpty() ? "" : around.get(0);
         KnownDefinitions definitions = new KnownDefinitions(place);
+        if (outer.equals("domain")) {
+            return Stream.concat(
+                            new KnownValues(place).arrays().stream(), definitions.types().stream())
+                    .toList();
+        }
         return outer.equals("subcomponent") || outer.equals("component")
                 ? definitions.components()
                 : definitions.types();
@@ -64,7 +81,7 @@ record KnownNames(WritingPlace place) {
                 .flatMap(automaton -> automaton.states().stream())
                 .map(StateSymbol::name)
                 .distinct()
-                .map(name -> Proposal.of(name, CompletionItemKind.EnumMember, "state"))
+                .map(name -> Proposal.of(name, Kind.STATE, "state"))
                 .toList();
     }
 

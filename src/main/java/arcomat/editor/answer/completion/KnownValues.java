@@ -1,5 +1,6 @@
 package arcomat.editor.answer.completion;
 
+import arcomat.editor.answer.completion.Proposal.Kind;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
@@ -8,12 +9,11 @@ import arcomat.symbols.expressions.ValueSymbol;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.TypeSymbol;
 
-import org.eclipse.lsp4j.CompletionItemKind;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -22,6 +22,7 @@ import java.util.stream.Stream;
  * @param place what is around the place
  */
 record KnownValues(WritingPlace place) {
+    private static final Set<String> GIVERS = Set.of("forall", "exists", "let");
     private static final Set<String> COMPARISONS = Set.of("==", "!=", "=", "<", "<=", ">", ">=");
 
     /**
@@ -39,13 +40,36 @@ record KnownValues(WritingPlace place) {
     /** Behind a comparison the constants of its type come first, and only values of that type. */
     List<Proposal> values() {
         Optional<TypeSymbol> type = comparedType();
-        List<Proposal> proposals = new ArrayList<>();
+        List<Proposal> proposals = new ArrayList<>(bound());
         type.ifPresent(compared -> constants(compared).forEach(proposals::add));
         all().filter(value -> !(value instanceof PortSymbol port) || port.isInput())
                 .filter(value -> type.isEmpty() || value.type().base().equals(type.get().base()))
                 .map(value -> Proposal.of(value))
                 .forEach(proposals::add);
         return proposals;
+    }
+
+    /** Names that the expression has given so far. */
+    private List<Proposal> bound() {
+        List<String> words = place.caret().statement();
+        return IntStream.range(1, words.size() - 1)
+                .filter(each -> GIVERS.contains(words.get(each - 1)))
+                .filter(each -> Set.of("in", "=").contains(words.get(each + 1)))
+                .mapToObj(words::get)
+                .map(name -> Proposal.of(name, Kind.TRUTH, "value"))
+                .toList();
+    }
+
+    /** What a quantifier may be about, beside types. */
+    List<Proposal> arrays() {
+        List<ValueSymbol> values =
+                all().filter(value -> !(value instanceof PortSymbol port) || port.isInput())
+                        .toList();
+        return Proposal.arrays(
+                values.stream(),
+                values.stream().map(ValueSymbol::name).toList(),
+                ValueSymbol::name,
+                value -> Proposal.of(value));
     }
 
     /** Messages of a stream: constants of the port's type. */
@@ -68,7 +92,7 @@ record KnownValues(WritingPlace place) {
         if (!COMPARISONS.contains(place.word(1))) {
             return Optional.empty();
         }
-        String compared = place.word(2);
+        String compared = place.name(2);
         return all().filter(value -> value.name().equals(compared))
                 .map(ValueSymbol::type)
                 .findFirst();
@@ -77,11 +101,10 @@ record KnownValues(WritingPlace place) {
     private static Stream<Proposal> constants(TypeSymbol type) {
         if (type instanceof EnumSymbol symbol) {
             return symbol.constants().stream()
-                    .map(name -> Proposal.of(name, CompletionItemKind.EnumMember, symbol.text()));
+                    .map(name -> Proposal.of(name, Kind.CONSTANT, symbol.text()));
         }
         return type.isBoolean()
-                ? Stream.of("true", "false")
-                        .map(name -> Proposal.of(name, CompletionItemKind.Constant, type.text()))
+                ? Stream.of("true", "false").map(name -> Proposal.of(name, Kind.TRUTH, type.text()))
                 : Stream.empty();
     }
 

@@ -107,6 +107,6 @@ record LineSkeleton(String ending, Skeleton skeleton) {
                 .filter(each -> path.endsWith(each.ending()))
                 .map(LineSkeleton::skeleton)
                 .filter(each -> each.word().isEmpty() ? isAlone : words.contains(each.word()))
-                .map(Skeleton::item);
+                .map(CompletionItems::piece);
     }
 }

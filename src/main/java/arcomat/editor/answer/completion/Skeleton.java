@@ -2,10 +2,6 @@ package arcomat.editor.answer.completion;
 
 import arcomat.syntax.Continuations;
 
-import org.eclipse.lsp4j.CompletionItem;
-import org.eclipse.lsp4j.CompletionItemKind;
-import org.eclipse.lsp4j.InsertTextFormat;
-
 import java.util.List;
 
 /**
@@ -17,7 +13,7 @@ import java.util.List;
  * @param detail what it is
  * @param text with places to fill in, as the protocol writes them
  */
-record Skeleton(String word, String label, String detail, String text) {
+public record Skeleton(String word, String label, String detail, String text) {
     static final List<Skeleton> ALL =
             List.of(
                     new Skeleton(
@@ -67,15 +63,5 @@ record Skeleton(String word, String label, String detail, String text) {
 
     boolean fits(Continuations possible) {
         return possible.words().contains(word);
-    }
-
-    CompletionItem item() {
-        CompletionItem item = new CompletionItem(label);
-        item.setKind(CompletionItemKind.Snippet);
-        item.setDetail(detail);
-        item.setInsertTextFormat(InsertTextFormat.Snippet);
-        item.setInsertText(text);
-        item.setSortText("3" + label);
-        return item;
     }
 }

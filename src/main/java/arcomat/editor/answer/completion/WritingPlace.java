@@ -31,10 +31,17 @@ import java.util.stream.Stream;
 public record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspace workspace) {
 
     public static WritingPlace of(View view, Caret caret) {
-        SourceFile file = view.file();
-        String path = file.path();
-        SourceFile rest = new SourceFile(path, without(caret.written(), file.text()));
-        OpenModels.Draft draft = view.models().draft(rest);
+        return of(view.file(), caret, view.models()::draft);
+    }
+
+    /**
+     * @param file as it is on the screen
+     * @param drafts what names would mean if the file had another text
+     */
+    public static WritingPlace of(
+            SourceFile file, Caret caret, Function<SourceFile, OpenModels.Draft> drafts) {
+        SourceFile rest = new SourceFile(file.path(), without(caret.written(), file.text()));
+        OpenModels.Draft draft = drafts.apply(rest);
         return new WritingPlace(caret, caret.written().end(), draft.unit(), draft.workspace());
     }
 
@@ -90,6 +97,23 @@ public record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspa
     String word(int back) {
         List<String> words = caret.statement();
         return back <= words.size() ? words.get(words.size() - back) : "";
+    }
+
+    /**
+     * The name that ends so many words before the place; a number that is not written out is that
+     * of any element.
+     */
+    String name(int back) {
+        if (!word(back).equals("]")) {
+            return word(back);
+        }
+        int open = back + 1;
+        while (!word(open).isEmpty() && !word(open).equals("[")) {
+            open++;
+        }
+        String number = open == back + 2 ? word(back + 1) : "";
+        boolean isWritten = number.chars().allMatch(Character::isDigit) && !number.isEmpty();
+        return "%s[%s]".formatted(word(open + 1), isWritten ? number : "0");
     }
 
     /** Whether a word stands in the statement that is being written. */

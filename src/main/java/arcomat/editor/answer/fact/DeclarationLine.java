@@ -24,7 +24,10 @@ record DeclarationLine() implements ReferentCases<String> {
 
     @Override
     public String component(Referent.Component component) {
-        return head(component.signature().node().span(), component.signature().nameSpan());
+        Span name = component.signature().nameSpan();
+        return name.text().equals(component.name())
+                ? head(component.signature().node().span(), name)
+                : "component " + component.name(); // a guest has made it of another text
     }
 
     /** All in front of the body. */
@@ -111,6 +114,22 @@ record DeclarationLine() implements ReferentCases<String> {
         return value(variable.symbol(), variable.symbol().node().initial());
     }
 
+    /** Of an element what that one is, of all of them what is written. */
+    @Override
+    public String array(Referent.Array array) {
+        String line = array.one().match(this);
+        return array.isWhole()
+                ? line.replace(array.one().name(), "%s[%s]".formatted(array.name(), array.size()))
+                : line;
+    }
+
+    /** What stands in front of the colon, or of {@code in}. */
+    @Override
+    public String bound(Referent.Bound bound) {
+        Span giver = bound.bound().giver().span();
+        return giver.file().span(giver.start(), bound.bound().source().end()).text();
+    }
+
     @Override
     public String parameter(Referent.Parameter parameter) {
         return value(parameter.symbol(), parameter.symbol().node().initial());
@@ -121,6 +140,11 @@ record DeclarationLine() implements ReferentCases<String> {
                 + " "
                 + value.name()
                 + initial.map(node -> " = " + node.span().text()).orElse("");
+    }
+
+    @Override
+    public String feature(Referent.Feature feature) {
+        return "feature " + feature.name();
     }
 
     @Override

@@ -1,6 +1,6 @@
 package arcomat.editor.answer.fact;
 
-import arcomat.pipeline.recheck.OpenModels;
+import arcomat.pipeline.recheck.ReadModels;
 import arcomat.source.Span;
 import arcomat.symbols.occurrences.Referent;
 import arcomat.tree.Unit;
@@ -8,6 +8,7 @@ import arcomat.tree.Unit;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The comment {@code /** ... *}{@code /} that stands in front of a declaration. */
 final class DocComment {
@@ -16,11 +17,11 @@ final class DocComment {
     private DocComment() {}
 
     /** Its text without the stars; empty where there is none. */
-    static Optional<String> of(Referent referent, OpenModels models) {
+    static Optional<String> of(Referent referent, ReadModels models) {
         return referent.declaration().flatMap(name -> before(name, models)).map(DocComment::plain);
     }
 
-    private static Optional<Unit.Comment> before(Span name, OpenModels models) {
+    private static Optional<Unit.Comment> before(Span name, ReadModels models) {
         List<Unit.Comment> comments =
                 models.parsed(name.file().path())
                         .flatMap(parsed -> parsed.readable())
@@ -55,8 +56,8 @@ final class DocComment {
 
     private static String plain(Unit.Comment comment) {
         String text = comment.text();
-        return text.substring(START.length(), text.length() - 2)
-                .lines()
+        String inside = text.substring(START.length(), text.length() - 2);
+        return Stream.of(inside.split("\r?\n"))
                 .map(line -> line.strip().replaceFirst("^\\* ?", ""))
                 .collect(Collectors.joining("\n"))
                 .strip();

@@ -113,6 +113,12 @@ public final class InlineFacts {
                         });
     }
 
+    /** Elements of an array are declared in one place. */
+    private boolean isThere(int offset, String label) {
+        return hints.stream()
+                .anyMatch(each -> isAt(offset, each) && each.getLabel().getLeft().equals(label));
+    }
+
     private boolean isAt(int offset, InlayHint hint) {
         return hint.getPosition().equals(Positions.position(view.file(), offset));
     }
@@ -136,7 +142,7 @@ public final class InlineFacts {
 
     /** Empty where nobody asked for that place. */
     private Optional<InlayHint> add(int offset, String label, InlayHintKind kind) {
-        if (offset < wanted.start() || wanted.end() < offset) {
+        if (offset < wanted.start() || wanted.end() < offset || isThere(offset, label)) {
             return Optional.empty();
         }
         InlayHint hint =

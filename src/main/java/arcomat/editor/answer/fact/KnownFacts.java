@@ -1,7 +1,7 @@
 package arcomat.editor.answer.fact;
 
 import arcomat.editor.answer.flow.PortConnections;
-import arcomat.pipeline.recheck.OpenModels;
+import arcomat.pipeline.recheck.ReadModels;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
@@ -12,6 +12,7 @@ import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.occurrences.Referent;
 import arcomat.symbols.occurrences.ReferentCases;
 import arcomat.symbols.signatures.Signature;
+import arcomat.tree.Expression;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +26,7 @@ import java.util.stream.Stream;
  * @param models it is one of
  * @param place where it is named
  */
-record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<String>> {
+record KnownFacts(ReadModels models, Span place) implements ReferentCases<List<String>> {
 
     @Override
     public List<String> packageName(Referent.PackageName name) {
@@ -149,9 +150,33 @@ record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<S
                 .anyMatch(each -> each.fields().contains(variable));
     }
 
+    /** What is known of one element need not be so of another one. */
+    @Override
+    public List<String> array(Referent.Array array) {
+        List<String> facts = new ArrayList<>();
+        facts.add((array.isWhole() ? "an array of " : "an element of an array of ") + array.size());
+        if (!array.isWhole() || array.kind() != Referent.Kind.PORT) {
+            facts.addAll(array.one().match(this));
+        }
+        return facts;
+    }
+
+    @Override
+    public List<String> bound(Referent.Bound bound) {
+        return List.of(
+                bound.bound().giver() instanceof Expression.Let
+                        ? "a name for a value"
+                        : "a name for each value of a set");
+    }
+
     @Override
     public List<String> parameter(Referent.Parameter parameter) {
         return List.of("a parameter of the component");
+    }
+
+    @Override
+    public List<String> feature(Referent.Feature feature) {
+        return List.of("a feature of " + Markdown.word(feature.component()));
     }
 
     @Override

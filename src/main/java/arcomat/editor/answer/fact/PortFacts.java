@@ -1,7 +1,7 @@
 package arcomat.editor.answer.fact;
 
 import arcomat.editor.answer.flow.PortConnections;
-import arcomat.pipeline.recheck.OpenModels;
+import arcomat.pipeline.recheck.ReadModels;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
@@ -19,7 +19,7 @@ import java.util.function.Function;
  * @param models it is in
  * @param place where it is named
  */
-record PortFacts(OpenModels models, PortSymbol port, Span place) {
+record PortFacts(ReadModels models, PortSymbol port, Span place) {
 
     /** Connections that are looked for; of a clock in a thousand parts nobody reads all. */
     private static final int MOST = 6;

@@ -6,7 +6,6 @@ import arcomat.editor.desk.View;
 import arcomat.editor.name.Mentions;
 import arcomat.editor.text.Positions;
 import arcomat.source.Span;
-import arcomat.symbols.occurrences.Occurrence;
 import arcomat.symbols.occurrences.Referent;
 
 import org.eclipse.lsp4j.CallHierarchyIncomingCall;
@@ -32,7 +31,7 @@ public final class ConnectorHierarchy {
 
     public static List<CallHierarchyItem> prepare(View view, Position position) {
         String address = view.address(view.file().path());
-        return Mentions.at(view, view.offset(position)).map(Occurrence::referent).stream()
+        return Mentions.at(view, view.offset(position)).map(each -> each.referent().one()).stream()
                 .filter(each -> KINDS.contains(each.kind()))
                 .map(each -> item(each, view, address))
                 .toList();

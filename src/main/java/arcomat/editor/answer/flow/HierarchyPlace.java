@@ -18,12 +18,15 @@ import java.util.stream.Stream;
  * @param path of the file in which the item is declared, among those models
  * @param start the offset of its name, or of its type where it has its name from that
  * @param kind of the item
+ * @param name of the item: elements of an array are declared in one place
  */
-public record HierarchyPlace(String address, String path, int start, Referent.Kind kind) {
+public record HierarchyPlace(
+        String address, String path, int start, Referent.Kind kind, String name) {
 
     static HierarchyPlace of(Referent referent, String address) {
         var place = referent.declaration().orElseThrow();
-        return new HierarchyPlace(address, place.file().path(), place.start(), referent.kind());
+        return new HierarchyPlace(
+                address, place.file().path(), place.start(), referent.kind(), referent.name());
     }
 
     JsonElement written() {
@@ -46,7 +49,7 @@ public record HierarchyPlace(String address, String path, int start, Referent.Ki
         return models.workspace().components().stream()
                 .filter(each -> each.unit().file().path().equals(path))
                 .flatMap(HierarchyPlace::items)
-                .filter(each -> each.kind() == kind)
+                .filter(each -> each.kind() == kind && each.name().equals(name))
                 .filter(each -> each.declaration().orElseThrow().start() == start)
                 .findFirst();
     }

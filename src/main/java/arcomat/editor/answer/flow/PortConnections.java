@@ -1,7 +1,7 @@
 package arcomat.editor.answer.flow;
 
 import arcomat.editor.name.Mentions;
-import arcomat.pipeline.recheck.OpenModels;
+import arcomat.pipeline.recheck.ReadModels;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  *
  * @param models that are asked
  */
-public record PortConnections(OpenModels models) {
+public record PortConnections(ReadModels models) {
 
     /** Connectors that bring messages to a port, be it its component's own or a part's. */
     public List<ConnectorSymbol> to(PortSymbol port) {

@@ -3,7 +3,6 @@ package arcomat.editor.answer.shape;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.occurrences.Referent;
 import arcomat.symbols.signatures.Signature;
@@ -43,18 +42,20 @@ final class ComponentOutline {
                 signature.ownParameters().stream().map(Referent.Parameter::new);
         Stream<Referent> ports = signature.ownPorts().stream().map(Referent.Port::new);
         Stream<Referent> variables = signature.ownVariables().stream().map(Referent.Variable::new);
-        return Stream.of(parameters, ports, variables).flatMap(each -> each).map(OutlineEntry::of);
+        return lines(Stream.of(parameters, ports, variables).flatMap(each -> each));
     }
 
     /** Whatever has its component written at the same place is that component's line. */
     private static Stream<OutlineEntry> parts(ComponentSymbol component) {
-        return component.ownInstances().stream()
-                .filter(each -> !(each.node() instanceof Component))
-                .map(ComponentOutline::part);
+        return lines(
+                component.ownInstances().stream()
+                        .filter(each -> !(each.node() instanceof Component))
+                        .map(Referent.Part::new));
     }
 
-    private static OutlineEntry part(InstanceSymbol part) {
-        return OutlineEntry.of(new Referent.Part(part));
+    /** An array has one line. */
+    private static Stream<OutlineEntry> lines(Stream<? extends Referent> declared) {
+        return declared.map(Referent.Array::whole).distinct().map(OutlineEntry::of);
     }
 
     static OutlineEntry automaton(AutomatonSymbol automaton) {
@@ -63,7 +64,7 @@ final class ComponentOutline {
         Stream<Referent> states =
                 automaton.states().stream().map(each -> new Referent.State(automaton, each));
         Stream<OutlineEntry> inside =
-                Stream.of(ports, variables, states).flatMap(each -> each).map(OutlineEntry::of);
+                lines(Stream.of(ports, variables, states).flatMap(each -> each));
         Span whole = automaton.node().span();
         return automaton
                 .node()

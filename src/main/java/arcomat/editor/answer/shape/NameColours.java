@@ -113,8 +113,8 @@ public final class NameColours {
             case TYPE_PARAMETER -> SemanticTokenTypes.TypeParameter;
             case CONSTANT -> SemanticTokenTypes.EnumMember;
             case ATTRIBUTE, PORT -> SemanticTokenTypes.Property;
-            case PART, VARIABLE -> SemanticTokenTypes.Variable;
-            case PARAMETER -> SemanticTokenTypes.Parameter;
+            case PART, VARIABLE, BOUND -> SemanticTokenTypes.Variable;
+            case PARAMETER, FEATURE -> SemanticTokenTypes.Parameter;
             case STATE -> SemanticTokenTypes.Label;
             case BEHAVIOUR, INVARIANT -> SemanticTokenTypes.Function;
             case TEST -> SemanticTokenTypes.Method;
@@ -144,8 +144,8 @@ public final class NameColours {
 
     private static boolean isConstant(Referent referent, Set<Span> fields) {
         return switch (referent.kind()) {
-            case CONSTANT, PARAMETER, PART -> true;
-            case VARIABLE -> isConstant(((Referent.Variable) referent).symbol(), fields);
+            case CONSTANT, PARAMETER, FEATURE, PART, BOUND -> true;
+            case VARIABLE -> isConstant(((Referent.Variable) referent.one()).symbol(), fields);
             default -> false;
         };
     }

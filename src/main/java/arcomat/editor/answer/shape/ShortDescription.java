@@ -66,8 +66,24 @@ public record ShortDescription() implements ReferentCases<String> {
     }
 
     @Override
+    public String array(Referent.Array array) {
+        String one = array.one().match(this);
+        return array.isWhole() ? "%s [%s]".formatted(one, array.size()) : one;
+    }
+
+    @Override
+    public String bound(Referent.Bound bound) {
+        return "value";
+    }
+
+    @Override
     public String parameter(Referent.Parameter parameter) {
         return parameter.symbol().type().text();
+    }
+
+    @Override
+    public String feature(Referent.Feature feature) {
+        return "feature";
     }
 
     @Override

@@ -22,9 +22,9 @@ public final class SymbolKinds {
             case PORT -> SymbolKind.Interface;
             case PART -> SymbolKind.Object;
             case VARIABLE -> SymbolKind.Variable;
-            case PARAMETER -> SymbolKind.Constant;
+            case PARAMETER, BOUND -> SymbolKind.Constant;
             case BEHAVIOUR -> SymbolKind.Enum;
-            case INVARIANT -> SymbolKind.Boolean;
+            case FEATURE, INVARIANT -> SymbolKind.Boolean;
             case SUITE -> SymbolKind.Module;
             case TEST -> SymbolKind.Method;
         };
