@@ -12,8 +12,13 @@ arcUnit
 
 component
     : stereotypes? modifier* 'component' name typeParameters? parameters?
-      ('extends' superType = type superArguments = componentArguments?)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
+      ('extends' superType = type superArguments = componentArguments?)? ('refines' refined += refinedComponent (',' refined += refinedComponent)*)?
       namedInstance? '{' element* '}'
+    ;
+
+// Arguments choose features, and nothing else.
+refinedComponent
+    : qualifiedName componentArguments?
     ;
 
 modifier
@@ -70,7 +75,7 @@ ports
     ;
 
 port
-    : stereotypes? direction = ('in' | 'out') type (name (',' name)*)?
+    : stereotypes? direction = ('in' | 'out') type (size? declared (',' declared)*)?
     ;
 
 subcomponent
@@ -78,21 +83,21 @@ subcomponent
     ;
 
 instance
-    : name ('[' simpleConnector (';' simpleConnector)* ']')?
+    : declared ('[' simpleConnector (';' simpleConnector)* ']')?
     ;
 
 simpleConnector
-    : stereotypes? source = qualifiedName '->' targets += qualifiedName (',' targets += qualifiedName)*
+    : stereotypes? source = qualifiedPlace '->' targets += qualifiedPlace (',' targets += qualifiedPlace)*
     ;
 
 connector
-    : stereotypes? 'connect' source = qualifiedName
-      '->' targets += qualifiedName (',' targets += qualifiedName)* ';'
+    : stereotypes? 'connect' source = qualifiedPlace
+      '->' targets += qualifiedPlace (',' targets += qualifiedPlace)* ';'
     ;
 
 timing
     : ('timing' | 'behavior') stereotypes?
-      kind = ('instant' | 'delayed' | 'untimed' | 'causalsync' | 'sync') ';'
+      kind = ('instant' | 'delayed' | 'untimed' | 'causalsync' | 'sync' | 'timed') ';'
     ;
 
 autoconnect

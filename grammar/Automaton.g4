@@ -26,7 +26,7 @@ automatonElement
 
 // As a component declares them. With a value: "sate open;" is a misspelt word, and no variable.
 valuedVariable
-    : name '=' expression
+    : declared '=' expression
     ;
 
 state
@@ -52,9 +52,9 @@ statement
     | 'if' '(' expression ')' then = statement ('else' otherwise = statement)?   # choiceStatement
     | 'var' type variable (',' variable)* ';'                               # markedLocals
     | plainType variable (',' variable)* ';'                                # plainLocals
-    | name '=' value ';'                                                    # assignment
-    | name operator = ('+=' | '-=') expression ';'                          # changeStatement
-    | name operator = ('++' | '--') ';'                                     # stepStatement
+    | place '=' value ';'                                                   # assignment
+    | place operator = ('+=' | '-=') expression ';'                         # changeStatement
+    | place operator = ('++' | '--') ';'                                    # stepStatement
     ;
 
 block
@@ -62,9 +62,9 @@ block
     ;
 
 item
-    : name ('==' | '=') value ('|' value)*
+    : place ('==' | '=') value ('|' value)*
     | 'call' expression
-    | qualifiedName operator = ('++' | '--')
+    | qualifiedPlace operator = ('++' | '--')
     | value ('|' value)*
     ;
 

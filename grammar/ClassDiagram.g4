@@ -64,11 +64,16 @@ associationArrow
     ;
 
 leftEnd
-    : cardinality? qualifiedName qualifier? role?
+    : property? cardinality? qualifiedName qualifier? role?
     ;
 
 rightEnd
-    : role? qualifier? qualifiedName cardinality?
+    : role? qualifier? qualifiedName cardinality? property?
+    ;
+
+// What UML says of an end: ordered, unique.
+property
+    : '{' name (',' name)* '}'
     ;
 
 cardinality

@@ -29,6 +29,19 @@ expression
     | left = expression operator = '<=>' right = expression                 # binaryExpression
     | <assoc = right> expression '?' expression ':' expression              # conditionalExpression
     | 'if' expression 'then' expression 'else' expression                   # ifExpression
+    // Reach as far to the right as they can.
+    | quantifier = ('forall' | 'exists') name 'in' domain ':' expression    # quantifiedExpression
+    | 'let' name '=' expression 'in' expression                             # letExpression
+    ;
+
+// A name may be that of an array or of a type.
+domain
+    : kind = ID? '{' (member (',' member)*)? '}'                            # memberDomain
+    | type                                                                  # namedDomain
+    ;
+
+member
+    : low = expression ('..' high = expression)?
     ;
 
 suffix
@@ -112,5 +125,5 @@ typeSuffix
     ;
 
 variable
-    : name ('=' expression)?
+    : declared ('=' expression)?
     ;

@@ -11,11 +11,11 @@ ioTable
     ;
 
 tableInputs
-    : 'in' name (',' name)* ';'
+    : 'in' place (',' place)* ';'
     ;
 
 tableOutputs
-    : 'out' name (',' name)* ';'
+    : 'out' place (',' place)* ';'
     ;
 
 row

@@ -28,11 +28,29 @@ name
     | 'abstract' | 'aggregation' | 'alt' | 'association' | 'autoconnect' | 'autoinstantiate'
     | 'automaton' | 'behavior' | 'call' | 'causalsync' | 'class' | 'classdiagram' | 'component'
     | 'composition' | 'compute' | 'connect' | 'constraint' | 'delayed' | 'deploy' | 'derived' | 'do' | 'enum' | 'events'
-    | 'expect' | 'extends' | 'feature' | 'final' | 'for' | 'implementation' | 'implements' | 'import' | 'in'
-    | 'init' | 'initial' | 'input' | 'instant' | 'interface' | 'inv' | 'off' | 'on' | 'out'
+    | 'exists' | 'expect' | 'extends' | 'feature' | 'final' | 'for' | 'forall' | 'implementation' | 'implements' | 'import' | 'in'
+    | 'init' | 'initial' | 'input' | 'instant' | 'interface' | 'inv' | 'let' | 'off' | 'on' | 'out'
     | 'output' | 'package' | 'port' | 'ports' | 'private' | 'protected' | 'public' | 'refines'
-    | 'state' | 'static' | 'super' | 'sync' | 'table' | 'test' | 'testsuite' | 'throws' | 'timing'
+    | 'state' | 'static' | 'super' | 'sync' | 'table' | 'test' | 'testsuite' | 'throws' | 'timed' | 'timing'
     | 'type' | 'untimed' | 'var' | 'variable' | 'varif'
+    ;
+
+// An element of an array, of ports, parts or variables, or what is no array.
+place
+    : name ('[' index = INT ']')?
+    ;
+
+qualifiedPlace
+    : place ('.' place)*
+    ;
+
+// What is declared: as many of a name as stand behind it.
+declared
+    : name size?
+    ;
+
+size
+    : '[' count = INT ']'
     ;
 
 literal

@@ -30,11 +30,11 @@ before
     ;
 
 portStream
-    : qualifiedName ':' stream ';'
+    : qualifiedPlace ':' stream ';'
     ;
 
 eventStream
-    : qualifiedName ':' (stream | streamElement) ';'
+    : qualifiedPlace ':' (stream | streamElement) ';'
     ;
 
 stream

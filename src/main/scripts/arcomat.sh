@@ -1,8 +1,11 @@
 #!/bin/sh
-# Starts Arcomat. JAVA_HOME names the Java to use, JAVA_OPTS adds options for it.
-app=$(CDPATH= cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
-java=${JAVA_HOME:+$JAVA_HOME/bin/}java
-if ! command -v "$java" >/dev/null 2>&1; then
+# Starts Arcomat. JAVA_HOME names the Java to use, where the installation has none of its own; JAVA_OPTS adds options for it.
+# ARCOMAT_ARCHIVE names the file of the classes' archive, or is "none".
+app=$(readlink -f -- "$0")
+app=${app%/bin/*}
+if [ -x "$app/java/bin/java" ]; then
+    java=$app/java/bin/java
+elif ! java=$(command -v "${JAVA_HOME:+$JAVA_HOME/bin/}java"); then
     echo "arcomat: no Java found; install Java 17 or later, or set JAVA_HOME" >&2
     exit 2
 fi
@@ -32,7 +35,39 @@ if [ -z "$columns" ] && [ -t 1 ]; then
     [ "${columns:-0}" -gt 0 ] 2>/dev/null || columns=80
 fi
 
-# Classes are mapped from an archive that was made with the installation. Another Java, or an
-# installation that was moved, starts without it, a little later; nobody needs to be told.
-exec "$java" -Xshare:auto -XX:SharedArchiveFile="$app/lib/arcomat.jsa" -Xlog:disable \
+# Classes are mapped from an archive, which fits one place and one Java: the first start there makes it, so that all others
+# take a third less. Beside it stands what it was made for, also where Java could make none.
+home=$(readlink -f -- "$java")
+home=${home%/bin/java}
+version=
+{
+    while IFS= read -r line; do
+        case $line in JAVA_RUNTIME_VERSION=* | JAVA_VERSION=*) version=$version${line#*=} ;; esac
+    done <"$home/release"
+} 2>/dev/null
+purpose="$app, for $home $version"
+made_for() {
+    [ -r "$archive.for" ] && IFS= read -r made <"$archive.for" && [ "$made" = "$purpose" ]
+}
+archive=${ARCOMAT_ARCHIVE:-$app/lib/arcomat.jsa}
+if [ -z "${ARCOMAT_ARCHIVE-}" ] && [ ! -w "$app/lib" ] && ! made_for; then
+    cache=${XDG_CACHE_HOME:-${HOME:+$HOME/.cache}}
+    archive=${cache:+$cache/arcomat/@version@.jsa}
+    archive=${archive:-none}
+fi
+make_archive() {
+    mkdir -p -- "${archive%/*}" && printf '%s\n' "$purpose" >"$archive.for.$$" || return
+    "$java" -Xshare:dump -XX:SharedClassListFile="$app/lib/arcomat.classes" -XX:SharedArchiveFile="$archive.$$" \
+        -Xlog:disable -XX:+UseSerialGC -classpath "@classpath@" && mv -f -- "$archive.$$" "$archive"
+    mv -f -- "$archive.for.$$" "$archive.for"
+}
+if [ "$archive" != none ] && ! made_for; then
+    [ -n "$watched" ] && echo "arcomat: the first start here takes some seconds more" >&2
+    make_archive >/dev/null 2>&1
+fi
+
+# An archive that does not fit is passed over; nobody needs to be told. It is mapped where it was made for: elsewhere,
+# every start would write new addresses into all of it. A Java that does not know how need not fail.
+exec "$java" -Xshare:auto -XX:SharedArchiveFile="$archive" -Xlog:disable \
+    -XX:+IgnoreUnrecognizedVMOptions -XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 \
     -XX:+UseSerialGC $compiler $watched ${columns:+"-Darcomat.columns=$columns"} $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"

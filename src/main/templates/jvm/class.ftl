@@ -29,7 +29,7 @@ public final class ${name} {
         }
 <#if attributes?has_content>
         ${name} that = (${name}) other;
-        return <#list attributes as attribute><#if ["string", "class"]?seq_contains(attribute.kind)>${attribute.name}.equals(that.${attribute.name})<#else>${attribute.name} == that.${attribute.name}</#if><#sep>
+        return <#list attributes as attribute><#if attribute.kind == "java">(${attribute.name} == null ? that.${attribute.name} == null : ${attribute.name}.equals(that.${attribute.name}))<#elseif ["string", "class"]?seq_contains(attribute.kind)>${attribute.name}.equals(that.${attribute.name})<#else>${attribute.name} == that.${attribute.name}</#if><#sep>
                 && </#list>;
 <#else>
         return true;
@@ -41,6 +41,8 @@ public final class ${name} {
 <#list attributes as attribute>
 <#if ["string", "class"]?seq_contains(attribute.kind)>
         hash = 31 * hash + ${attribute.name}.hashCode();
+<#elseif attribute.kind == "java">
+        hash = 31 * hash + (${attribute.name} == null ? 0 : ${attribute.name}.hashCode());
 <#elseif attribute.kind == "boolean">
         hash = 31 * hash + (${attribute.name} ? 1 : 0);
 <#else>

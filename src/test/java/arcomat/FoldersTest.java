@@ -114,15 +114,16 @@ class FoldersTest {
 
     /**
      * Programs are linked with the runtime, plugins run inside of builds: none knows the tool's
-     * rooms. Engines for clusters are loaded by it; Maven brings it to its plugin, which knows the
-     * door that is there for other programs.
+     * rooms. Engines for clusters are loaded by it; the live page is made of it, and the site reads
+     * models with it; Maven brings it to its plugin, which knows the door that is there for other
+     * programs.
      */
     @Test
     void projectsBesideTheToolKnowNothingOfIt() {
         Set<String> rooms = House.rooms();
         CODE.forEach(
                 (folder, files) -> {
-                    if (Stream.of("src", "benchmarks", "cluster", "guests")
+                    if (Stream.of("src", "benchmarks", "cluster", "guests", "live", "site")
                             .noneMatch(folder::startsWith)) {
                         assertThat(files.stream().flatMap(file -> imports(file).stream()))
                                 .filteredOn(each -> each.startsWith("arcomat."))

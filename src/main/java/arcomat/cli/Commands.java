@@ -27,6 +27,7 @@ import arcomat.cli.command.run.SimulateCommand;
 import arcomat.cli.command.run.TestCommand;
 import arcomat.cli.command.run.WorldCommand;
 import arcomat.cli.command.serve.LanguageServerCommand;
+import arcomat.cli.command.serve.LiveCommand;
 import arcomat.cli.command.serve.McpCommand;
 import arcomat.cli.command.shell.CompletionCommand;
 import arcomat.cli.command.shell.ManualCommand;
@@ -76,6 +77,7 @@ final class Commands {
         add("link", () -> new LinkCommand());
         add("explain", () -> new ExplainCommand());
         add("language-server", () -> new LanguageServerCommand());
+        add("live", () -> new LiveCommand());
         add("mcp", () -> new McpCommand());
         add("completion", () -> new CompletionCommand());
         add("manual", () -> new ManualCommand());

@@ -8,12 +8,16 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
+import arcomat.source.ArrayNames;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * Writes a synthesised controller as the text of a model: an atomic component with one automaton
@@ -51,7 +55,7 @@ public final class ControllerText {
                 component.name(),
                 component.refines(),
                 component.outputs().stream().allMatch(port -> port.delay() == 0),
-                component.ports().stream().map(this::port).toList(),
+                component.ports().stream().flatMap(port -> declared(port).stream()).toList(),
                 automaton.completion().name().toLowerCase(Locale.ROOT),
                 automaton.states(),
                 automaton.states().get(initial.state()),
@@ -59,11 +63,24 @@ public final class ControllerText {
                 groups());
     }
 
-    private ControllerView.DeclarationView port(Port port) {
+    /** An array is declared by its first element. */
+    private Optional<ControllerView.DeclarationView> declared(Port port) {
+        String name = port.name();
+        if (!ArrayNames.isElement(name)) {
+            return Optional.of(port(port, name));
+        }
+        String array = ArrayNames.array(name);
+        Set<String> names = component.ports().stream().map(Port::name).collect(Collectors.toSet());
+        return name.equals(ArrayNames.element(array, 0))
+                ? Optional.of(port(port, ArrayNames.element(array, ArrayNames.size(array, names))))
+                : Optional.empty();
+    }
+
+    private ControllerView.DeclarationView port(Port port, String name) {
         boolean instant = !port.isInput() && port.delay() == 0;
         String type = words.type(port.type());
         return new ControllerView.DeclarationView(
-                port.isInput(), port.total(), instant, type, port.name());
+                port.isInput(), port.total(), instant, type, name);
     }
 
     private List<List<ControllerView.RuleView>> groups() {

@@ -34,12 +34,17 @@ final class ModelWords {
         ports = component.ports().stream().map(Port::name).collect(Collectors.toSet());
         for (Port port : component.ports()) {
             Type type = port.type();
-            if (type instanceof Type.EnumType || type instanceof Type.ClassType) {
+            if (isOfModel(type)) {
                 qualified
                         .computeIfAbsent(type.simpleName(), name -> new TreeSet<>())
                         .add(type.name());
             }
         }
+    }
+
+    private static boolean isOfModel(Type type) {
+        return type instanceof Type.EnumType
+                || type instanceof Type.ClassType object && object.java().isEmpty();
     }
 
     /** What is to be imported; types of one name are written in full instead. */

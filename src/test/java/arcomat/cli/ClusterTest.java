@@ -120,8 +120,8 @@ class ClusterTest {
         awaitLine("campaign.log", "worker 2 has come");
         awaitRows(RUNS / 8);
         first.destroyForcibly();
+        worker("third.log"); // before all else: it has to come before everything is done
         awaitLine("campaign.log", " is gone");
-        worker("third.log");
         assertThat(campaign.waitFor()).isZero();
         assertThat(log("campaign.log")).contains("worker 3 has come").doesNotContain("\tat ");
         assertWholeTable("campaign.log");

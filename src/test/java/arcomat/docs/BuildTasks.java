@@ -27,7 +27,8 @@ record BuildTasks(String scripts) {
                         "gradle/mutation.gradle",
                         "gradle/sbom.gradle",
                         "gradle/vscode.gradle",
-                        "benchmarks/build.gradle")) {
+                        "benchmarks/build.gradle",
+                        "site/build.gradle")) {
             scripts.append(Files.readString(Path.of(script)));
         }
         Path plugin = Path.of("plugins/gradle/src/main/java/arcomat/gradle");

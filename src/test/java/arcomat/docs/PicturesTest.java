@@ -11,6 +11,9 @@ import arcomat.pipeline.analysis.ProveRefinement;
 import arcomat.pipeline.analysis.Prover;
 import arcomat.pipeline.diagram.DrawDiagrams;
 import arcomat.pipeline.picture.PictureFormat;
+import arcomat.pipeline.world.PrepareWorld;
+import arcomat.pipeline.world.WriteAnimation;
+import arcomat.world.Recording;
 
 import org.junit.jupiter.api.Test;
 
@@ -57,6 +60,16 @@ class PicturesTest {
                         MODELS,
                         new AnalysisLimits(Optional.empty(), Optional.empty())));
         same("refines.svg");
+    }
+
+    @Test
+    void theMeeting() throws Exception {
+        String world = MODELS.get(0) + "/world/meeting.world";
+        Recording run = session.run(new PrepareWorld(world, false)).run(1);
+        String file = DRAWN.resolve("meeting.svg").toString();
+        Files.createDirectories(DRAWN);
+        session.run(new WriteAnimation(run, world + ", seed 1", file));
+        same("meeting.svg");
     }
 
     private static void same(String file) throws Exception {

@@ -43,6 +43,7 @@ class GoldenTest {
                 List.of(
                         "chain",
                         "composition",
+                        "computed",
                         "events",
                         "expressions",
                         "guards",

@@ -22,7 +22,8 @@ final class Laws {
                     new MonaAgrees(),
                     new InvariantsAsTheReference(),
                     new WhyNothingFired(),
-                    new MapsAsDefined());
+                    new MapsAsDefined(),
+                    new ConfigurationsAsByHand());
 
     private Laws() {}
 }

@@ -6,6 +6,7 @@ import arcomat.analysis.refinement.InvariantProof;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
+import arcomat.laws.naive.ByHand;
 import arcomat.model.Component;
 import arcomat.source.SourceFile;
 
@@ -50,6 +51,15 @@ class SomeModelsTest {
         }
         assertThat(answers.get(Answer.HOLDS)).isGreaterThan(40);
         assertThat(answers.get(Answer.FAILS)).isGreaterThan(40);
+    }
+
+    @Test
+    void aConfigurationIsWhatIsWrittenByHand() {
+        List<Models> met = tried(new ConfigurationsAsByHand(), 60);
+        assertThat(met).hasSizeGreaterThan(30);
+        assertThat(met)
+                .anyMatch(models -> new ByHand(models.files()).pairs().size() > 6)
+                .anyMatch(models -> models.model().component("more.Main").isPresent());
     }
 
     /** Those of which the law says something. */

@@ -64,7 +64,6 @@ final class RefinesTool implements Tool {
                         Optional.empty(),
                         call.paths(),
                         limits);
-        return ToolAnswer.of(
-                call.session().run(question), answered -> VerdictJson.render(answered.verdict()));
+        return ToolAnswer.of(call.session().run(question), VerdictJson::ofRefines);
     }
 }

@@ -44,7 +44,9 @@ public abstract class Command implements Callable<Integer> {
             names = "--with",
             paramLabel = "GUEST",
             description =
-                    "A jar, or a folder of classes, that brings laws of its own; may be repeated.")
+                    "A jar, or a folder of classes, that brings laws, questions about automata,"
+                            + " languages, forms of reports, or the reading of other models;"
+                            + " may be repeated.")
     private List<String> guests = new ArrayList<>();
 
     @SuppressWarnings("NullAway.Init") // there is none before the command is called

@@ -37,6 +37,11 @@ public abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
         return paths;
     }
 
+    /** Both sides, for a headline. */
+    protected final String title() {
+        return left + " and " + right;
+    }
+
     protected final ComparedSides sides() throws WrongUse {
         return ComparedSides.of(left, right, Optional.ofNullable(completion));
     }

@@ -58,9 +58,9 @@ public final class NameForms {
         return ofArgument ? "" : "_";
     }
 
-    /** Replaces what cannot stand in an identifier. */
+    /** Replaces what cannot stand in an identifier; {@code wheel[0]} is {@code wheel_0}. */
     public static String identifier(String name) {
-        String clean = name.replaceAll("[^\\p{L}\\p{Nd}_$]", "_");
+        String clean = name.replace("]", "").replaceAll("[^\\p{L}\\p{Nd}_$]", "_");
         return clean.isEmpty() || !Character.isJavaIdentifierStart(clean.charAt(0))
                 ? "_" + clean
                 : clean;

@@ -88,9 +88,18 @@ public final class TargetLanguage {
         return spell("flag", Map.of("port", port, "Port", NameForms.capitalised(port)));
     }
 
+    /**
+     * Whether the class of Java that a type stands for is named; else there is one in its stead.
+     */
+    public boolean namesJava(Type type) {
+        return type instanceof Type.ClassType object
+                && object.java().isPresent()
+                && entry("java").filter("named"::equals).isPresent();
+    }
+
     /** The name of a type's kind in the description of a target. */
-    public static String kind(Type type) {
-        return type.match(new Kind());
+    public String kind(Type type) {
+        return namesJava(type) ? "java" : type.match(new Kind());
     }
 
     private static final class Kind implements Type.Cases<String> {

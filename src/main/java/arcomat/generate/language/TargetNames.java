@@ -49,6 +49,10 @@ public final class TargetNames {
 
     /** The name of an enum or class of a class diagram. */
     public TypeName of(Type type) {
+        if (type instanceof Type.ClassType object && object.java().isPresent()) {
+            return types.computeIfAbsent(
+                    "type " + type.name(), key -> type("java", object.simpleName()));
+        }
         String qualified = type.name();
         int dot = qualified.lastIndexOf('.');
         String diagram = dot < 0 ? "types" : qualified.substring(0, dot);

@@ -1,7 +1,6 @@
 package arcomat.generate.monitor;
 
 import arcomat.generate.language.Places;
-import arcomat.generate.language.TargetLanguage;
 import arcomat.generate.language.Text;
 import arcomat.generate.language.TypeName;
 import arcomat.generate.text.ExpressionWriter;
@@ -37,7 +36,7 @@ final class MonitorViews {
 
     /** Kinds of messages for which a target has nothing to say: the runtime tells them. */
     private static final Set<String> TOLD_BY_RUNTIME =
-            Set.of("byte", "short", "int", "long", "string", "class");
+            Set.of("byte", "short", "int", "long", "string", "class", "java");
 
     private final Component watched;
     private final Automaton automaton;
@@ -97,7 +96,7 @@ final class MonitorViews {
         List<SpeltView> spelt = new ArrayList<>();
         for (int port = 0; port < watched.outputs().size(); port++) {
             Type type = watched.outputs().get(port).type();
-            if (!TOLD_BY_RUNTIME.contains(TargetLanguage.kind(type))) {
+            if (!TOLD_BY_RUNTIME.contains(context.names().language().kind(type))) {
                 String text = context.expressions().express("spelt", type, code).text();
                 spelt.add(new SpeltView(port, text));
             }

@@ -32,7 +32,9 @@ public record FileContext(
         TypeName self = names.of(component);
         FileReferences references = new FileReferences(names.language(), self);
         for (Type type : MentionedTypes.of(component, composition)) {
-            references.to(names.of(type));
+            if (!names.language().namesJava(type)) {
+                references.to(names.of(type));
+            }
         }
         composition.ifPresent(
                 c -> c.nodes().forEach(node -> references.to(names.of(node.component()))));

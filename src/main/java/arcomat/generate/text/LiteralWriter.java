@@ -11,6 +11,7 @@ import arcomat.model.Value;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** Writes types and values in the target's language, as one file names them. */
 public final class LiteralWriter {
@@ -26,8 +27,30 @@ public final class LiteralWriter {
 
     /** How the file names a type that has a name of its own; empty for others. */
     String reference(Type type) {
+        if (language.namesJava(type)) {
+            return java(((Type.ClassType) type).java().orElseThrow());
+        }
         boolean named = type instanceof Type.EnumType || type instanceof Type.ClassType;
         return named ? references.to(names.of(type)) : "";
+    }
+
+    /** With full names, so that nothing has to be imported. */
+    private String java(Type.JavaClass java) {
+        return java.arguments().isEmpty()
+                ? java.name()
+                : java.arguments().stream()
+                        .map(each -> each.words() + each.type().map(this::object).orElse(""))
+                        .collect(Collectors.joining(", ", java.name() + "<", ">"));
+    }
+
+    /** The name of the class that holds values of a type as objects. */
+    private String object(Type type) {
+        boolean named = type instanceof Type.EnumType || type instanceof Type.ClassType;
+        String name =
+                language.namesJava(type)
+                        ? reference(type)
+                        : named ? names.of(type).qualified() : "";
+        return language.express("object", type, Map.of("type", name)).text();
     }
 
     /** The name of a type. */

@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Type;
+import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.network.Composition;
 
@@ -11,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The enums and classes that the code of a component mentions, in the order of first mention. */
 public final class MentionedTypes {
@@ -38,7 +40,27 @@ public final class MentionedTypes {
     private void add(Type type) {
         if (type instanceof Type.EnumType || type instanceof Type.ClassType) {
             found.putIfAbsent(type.name(), type);
+            arguments(type).forEach(this::add);
         }
+    }
+
+    /** An object is written with all that it is made of. */
+    private void add(Value value) {
+        if (value instanceof Value.ObjectValue object) {
+            add(object.type());
+            object.attributes().forEach(this::add);
+        } else if (value instanceof Value.EnumValue constant) {
+            add(constant.type());
+        }
+    }
+
+    /** The types that messages of a class of Java may hold. */
+    private static Stream<Type> arguments(Type type) {
+        return type instanceof Type.ClassType object
+                ? object.java().stream()
+                        .flatMap(java -> java.arguments().stream())
+                        .flatMap(argument -> argument.type().stream())
+                : Stream.empty();
     }
 
     private void add(Variable variable) {
@@ -56,6 +78,9 @@ public final class MentionedTypes {
         expression.visit(
                 e -> {
                     add(e.type());
+                    if (e instanceof Expression.Constant constant) {
+                        add(constant.value());
+                    }
                     if (e instanceof Expression.PortMatches matches) {
                         add(matches.port().type());
                     }

@@ -2,7 +2,6 @@ package arcomat.generate.views;
 
 import arcomat.generate.language.FileReferences;
 import arcomat.generate.language.Places;
-import arcomat.generate.language.TargetLanguage;
 import arcomat.generate.language.TypeName;
 import arcomat.generate.plan.Program;
 import arcomat.generate.text.FileContext;
@@ -63,7 +62,7 @@ public final class Heads {
                 context.members().of(port),
                 context.expressions().type(port.type()),
                 context.members().flag(port),
-                TargetLanguage.kind(port.type()),
+                context.names().language().kind(port.type()),
                 port.total(),
                 port.delay(),
                 total + direction + port.type().simpleName() + " " + port.name());

@@ -1,7 +1,6 @@
 package arcomat.generate.views;
 
 import arcomat.generate.language.FileReferences;
-import arcomat.generate.language.TargetLanguage;
 import arcomat.generate.language.TargetNames;
 import arcomat.generate.language.TypeName;
 import arcomat.generate.plan.Program;
@@ -17,7 +16,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 
 /** The views of the enums and classes that messages are made of. */
 public final class MessageTypes {
@@ -40,12 +38,12 @@ public final class MessageTypes {
         }
     }
 
-    private <T extends Type, V> List<V> views(Class<T> kind, Function<T, V> view) {
-        return all.values().stream().filter(kind::isInstance).map(kind::cast).map(view).toList();
-    }
-
     public List<EnumView> enums() {
-        return views(Type.EnumType.class, this::view);
+        return all.values().stream()
+                .filter(Type.EnumType.class::isInstance)
+                .map(Type.EnumType.class::cast)
+                .map(this::view)
+                .toList();
     }
 
     private EnumView view(Type.EnumType type) {
@@ -59,7 +57,12 @@ public final class MessageTypes {
     }
 
     public List<ClassView> classes() {
-        return views(Type.ClassType.class, this::view);
+        return all.values().stream()
+                .filter(type -> !names.language().namesJava(type))
+                .filter(Type.ClassType.class::isInstance)
+                .map(Type.ClassType.class::cast)
+                .map(this::view)
+                .toList();
     }
 
     private ClassView view(Type.ClassType type) {
@@ -72,7 +75,7 @@ public final class MessageTypes {
                     new ClassView.AttributeView(
                             text.type(attribute.type()),
                             names.attribute(type, attributes.size()),
-                            TargetLanguage.kind(attribute.type())));
+                            names.language().kind(attribute.type())));
         }
         List<Type> types = type.attributes().stream().map(Type.Attribute::type).toList();
         return new ClassView(

@@ -16,6 +16,8 @@ import java.util.stream.Stream;
 
 /** Writes stream tests as the text of a suite in the package of their component. */
 public final class SuiteText {
+    /** Every break of a line; a browser's patterns have no word for them all. */
+    private static final String BREAK = "\r\n|[\n\r\u000B\f\u0085\u2028\u2029]";
 
     /**
      * A test, or what is to become one.
@@ -72,7 +74,7 @@ public final class SuiteText {
             line("");
         }
         remarks.forEach(remark -> remark("", remark));
-        line("testsuite " + suite + " for " + component.name() + list(arguments) + " {");
+        line("testsuite " + suite + " for " + called(arguments) + " {");
     }
 
     private void entry(Entry entry) {
@@ -87,11 +89,26 @@ public final class SuiteText {
     }
 
     private void remark(String indent, String remark) {
-        line(indent + "// " + remark.replaceAll("\\R", " "));
+        line(indent + "// " + remark.replaceAll(BREAK, " "));
     }
 
     private void line(String line) {
         text.append(line).append('\n');
+    }
+
+    /**
+     * A configuration has the choice of its features in its name: behind the arguments, by name.
+     */
+    private String called(List<Value> arguments) {
+        String name = component.name();
+        int choice = name.indexOf('(');
+        String written = list(arguments);
+        return choice < 0 || written.isEmpty()
+                ? name + written
+                : name.substring(0, choice)
+                        + written.substring(0, written.length() - 1)
+                        + ", "
+                        + name.substring(choice + 1);
     }
 
     private String list(List<Value> arguments) {
@@ -110,7 +127,7 @@ public final class SuiteText {
                 Type attribute = object.type().attributes().get(i).type();
                 attributes.add(text(object.attributes().get(i), attribute));
             }
-            return object.type().name() + "(" + String.join(", ", attributes) + ")";
+            return object.type().className() + "(" + String.join(", ", attributes) + ")";
         }
         return literal(value, type);
     }

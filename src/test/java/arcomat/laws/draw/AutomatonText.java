@@ -101,11 +101,15 @@ final class AutomatonText {
                 type = draw.one("byte", "short", "char", "char", "Long", "float");
             }
             String first = type.equals("Integer[-1..3]") ? "-1" : draw.one(Plug.messages(type));
-            locals.add(new Local("n", type));
+            String size = draw.chance(Features.ARRAYS, 20) ? "[2]" : "";
+            List<String> names = size.isEmpty() ? List.of("n") : List.of("n[0]", "n[1]");
+            for (String name : names) {
+                locals.add(new Local(name, type));
+            }
             if (beside) {
-                lines.add(0, "    var %s n = %s;".formatted(type, first));
+                lines.add(0, "    var %s n%s = %s;".formatted(type, size, first));
             } else {
-                lines.add("        variable %s n = %s;".formatted(type, first));
+                lines.add("        variable %s n%s = %s;".formatted(type, size, first));
             }
         }
     }
@@ -231,6 +235,9 @@ final class AutomatonText {
     }
 
     private String guard(List<Plug> present) {
+        if (draw.chance(Features.QUANTIFIERS, 10)) {
+            return quantified(present);
+        }
         String atom = atom(present);
         return switch (draw.below(6)) {
             case 0 -> "!(" + atom + ")";
@@ -241,16 +248,38 @@ final class AutomatonText {
         };
     }
 
+    /** About a value that has another name, or about each of some values. */
+    private String quantified(List<Plug> present) {
+        Plug plug = draw.one(readable(present));
+        String type = plug.type();
+        String not = draw.one("==", "!=");
+        if (Plug.isWhole(type)) {
+            String domain = draw.one("{0, 2}", "{0..2}", "Set {0..1, 2}");
+            return draw.chance(50)
+                    ? "(forall v in %s: %s %s v || %s)"
+                            .formatted(domain, plug.name(), not, atom(present))
+                    : "(exists v in %s: %s %s v && v < 2)".formatted(domain, plug.name(), not);
+        }
+        if (locals.size() > 1 && draw.chance(50)) {
+            return "(forall v in n: %s)".formatted(compared("v", locals.get(0).type, "v"));
+        }
+        return type.equals("Boolean")
+                ? "(exists v in Boolean: %s %s v)".formatted(plug.name(), not)
+                : "(let v = %s in v %s v)".formatted(plug.name(), not);
+    }
+
+    private List<Plug> readable(List<Plug> present) {
+        return events
+                ? inputs.stream().filter(p -> p.latched() || present.contains(p)).toList()
+                : inputs;
+    }
+
     private String atom(List<Plug> present) {
         if (!locals.isEmpty() && draw.chance(50)) {
             Local local = locals.get(0);
             return compared(local.name, local.type, draw.one(values(local.type)));
         }
-        List<Plug> readable =
-                events
-                        ? inputs.stream().filter(p -> p.latched() || present.contains(p)).toList()
-                        : inputs;
-        Plug plug = draw.one(readable);
+        Plug plug = draw.one(readable(present));
         if (!events && !plug.total() && draw.chance(20)) {
             return plug.name() + draw.one(" == --", " != --");
         }

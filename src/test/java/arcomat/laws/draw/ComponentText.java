@@ -159,8 +159,9 @@ public final class ComponentText {
                 lines.add("    " + hole);
             } else {
                 String type = name + "P" + i;
-                parts.add(new Part("p" + i, part(type, plugs, depth)));
-                lines.add("    component %s p%d;".formatted(type, i));
+                Typed part = part(type, plugs, depth);
+                parts.add(new Part("p" + i, part.plugs));
+                lines.add("    component %s p%d;".formatted(part.type, i));
             }
         }
         connect(plugs, parts, position >= 0 && draw.chance(30), lines);
@@ -172,15 +173,28 @@ public final class ComponentText {
         files.add(file(folder, name, lines));
     }
 
+    /**
+     * A component as a part.
+     *
+     * @param type with its arguments
+     */
+    private record Typed(String type, List<Plug> plugs) {}
+
     /** Writes a part, now and then one that has parts itself; of that, no output counts as late. */
-    private List<Plug> part(String type, List<Plug> whole, int depth) {
+    private Typed part(String type, List<Plug> whole, int depth) {
         List<Plug> plugs = part(whole);
         if (depth == 0 && draw.chance(12)) {
             composite(type, plugs, 0, 1);
-            return plugs.stream().map(p -> p.input() ? p : p.withDelay(0)).toList();
+            return new Typed(
+                    type, plugs.stream().map(p -> p.input() ? p : p.withDelay(0)).toList());
+        }
+        if (draw.chance(Features.VARIED, 15)) {
+            VariedText.Varied varied = VariedText.atomic(draw, folder, type, plugs, events, false);
+            files.add(varied.file());
+            return new Typed(type + "(" + VariedText.choice(draw, varied) + ")", plugs);
         }
         files.add(atomic(draw, folder, type, plugs, events));
-        return plugs;
+        return new Typed(type, plugs);
     }
 
     /** Ports of a part: some of the types of the whole. */

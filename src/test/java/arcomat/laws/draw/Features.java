@@ -30,7 +30,13 @@ public enum Features {
     /** What is done one after the other, with choices. */
     STATEMENTS,
     /** What is computed in each slice, without states. */
-    COMPUTED;
+    COMPUTED,
+    /** Parts in one of several configurations. */
+    VARIED,
+    /** Conditions about each value of a set, and names for values. */
+    QUANTIFIERS,
+    /** Variables of which there are several of one name. */
+    ARRAYS;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

@@ -55,6 +55,10 @@ class PublishedArtifactsTest {
         assertThat(texts(project, "description").get(0)).endsWith(".");
         assertThat(texts(project, "license").get(0))
                 .contains("Apache-2.0", "https://www.apache.org/licenses/LICENSE-2.0.txt");
+        // Maven Central takes nothing without these.
+        for (String each : List.of("name", "url", "scm", "developer")) {
+            assertThat(texts(project, each).get(0)).as(each).isNotBlank();
+        }
 
         List<Element> dependencies = elements(project, "dependency").toList();
         assertThat(dependencies)

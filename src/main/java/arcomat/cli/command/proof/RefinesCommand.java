@@ -1,6 +1,7 @@
 package arcomat.cli.command.proof;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.ComparisonCommand;
 import arcomat.cli.option.PageOption;
 import arcomat.pipeline.Session;
@@ -10,6 +11,7 @@ import arcomat.pipeline.analysis.ProveRefinement;
 import arcomat.pipeline.analysis.Prover;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.report.text.Style;
+import arcomat.report.verdict.ObligationsText;
 import arcomat.report.verdict.VerdictJson;
 import arcomat.report.verdict.VerdictPage;
 import arcomat.report.verdict.VerdictText;
@@ -18,6 +20,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
+import java.util.List;
 import java.util.Optional;
 
 /** {@code arcomat refines}: whether one component keeps the promises of another. */
@@ -26,6 +29,7 @@ import java.util.Optional;
         description = "Proves that one component keeps what another promises, or how not.",
         footer = {
             "  arcomat refines coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash models/coffee",
+            "  arcomat refines p.Dimmer p.Lamp models    with features: in all configurations",
             "  arcomat refines --completion ignore,ignore p.New p.Old models",
             "  arcomat refines p.Robot 'p.Robot#waits' models    one automaton of several",
             "  arcomat refines --diagram failure.svg p.New p.Old models    draws a counterexample",
@@ -35,7 +39,7 @@ import java.util.Optional;
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
         })
-public final class RefinesCommand extends ComparisonCommand<Answered> {
+public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
     enum Engine {
         arcomat,
         mona
@@ -84,7 +88,7 @@ public final class RefinesCommand extends ComparisonCommand<Answered> {
     @Mixin private PageOption report = new PageOption();
 
     @Override
-    protected Task<CheckedAnswer<Answered>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<List<Answered>>> task(Session session) throws WrongUse {
         if (certificate != null && doubted != null) {
             throw new WrongUse(
                     "--verify-certificate searches nothing, so there is nothing to write for"
@@ -124,23 +128,37 @@ public final class RefinesCommand extends ComparisonCommand<Answered> {
     }
 
     @Override
-    protected void report(Answered answered, Session session) throws WrongUse {
-        report.write(() -> VerdictPage.of("refines", answered), session);
+    protected void report(List<Answered> answers, Session session) throws WrongUse {
+        report.write(
+                () ->
+                        answers.size() == 1
+                                ? VerdictPage.of("refines", answers.get(0))
+                                : VerdictPage.of("refines", title(), answers),
+                session);
     }
 
     @Override
-    protected String json(Answered answered) {
-        return VerdictJson.render(answered.verdict());
+    protected String json(List<Answered> answers) {
+        return VerdictJson.ofRefines(answers);
     }
 
     @Override
-    protected String text(Answered answered, Style style) {
-        boolean drawn = diagram != null && !answered.verdict().trace().isEmpty();
-        return VerdictText.render(answered, style) + (drawn ? "drawn in " + diagram + "\n" : "");
+    protected String text(List<Answered> answers, Style style) {
+        boolean drawn =
+                diagram != null
+                        && answers.stream().anyMatch(each -> !each.verdict().trace().isEmpty());
+        String text =
+                answers.size() == 1
+                        ? VerdictText.render(answers.get(0), style)
+                        : ObligationsText.all(answers, style);
+        return text + (drawn ? "drawn in " + diagram + "\n" : "");
     }
 
     @Override
-    protected int status(Answered answered) {
-        return status(answered.verdict().answer());
+    protected int status(List<Answered> answers) {
+        return status(
+                answers.stream()
+                        .map(each -> each.verdict().answer())
+                        .reduce(Answer.HOLDS, Answer::and));
     }
 }

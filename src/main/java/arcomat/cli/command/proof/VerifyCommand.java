@@ -22,7 +22,6 @@ import arcomat.report.verdict.VerdictCases;
 import arcomat.report.verdict.VerdictFindings;
 import arcomat.report.verdict.VerdictJson;
 import arcomat.report.verdict.VerdictPage;
-import arcomat.report.verdict.VerdictText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -84,7 +83,7 @@ public final class VerifyCommand extends LimitedCommand {
     private String text(List<Answered> answers, Aside aside, ReportFormat format, Style style) {
         List<Reported> findings = reported(answers, aside);
         return switch (format) {
-            case text -> text(answers, style) + summary(answers, style);
+            case text -> ObligationsText.all(answers, style);
             case json -> VerdictJson.render(answers);
             case sarif -> machineFormats().sarif(findings, false);
             case github -> machineFormats().github(findings, summary(answers, style));
@@ -97,20 +96,6 @@ public final class VerifyCommand extends LimitedCommand {
 
     private static List<Reported> reported(List<Answered> answers, Aside aside) {
         return CheckRendering.withAside(VerdictFindings.of(answers), aside);
-    }
-
-    /** A line for each, then the failures at length. */
-    private static String text(List<Answered> answers, Style style) {
-        StringBuilder out = new StringBuilder();
-        for (Answered each : answers) {
-            out.append(ObligationsText.line(each, style));
-        }
-        for (Answered each : answers) {
-            if (each.verdict().answer() == Answer.FAILS) {
-                out.append('\n').append(VerdictText.render(each, style));
-            }
-        }
-        return out.toString();
     }
 
     private static String summary(List<Answered> answers, Style style) {

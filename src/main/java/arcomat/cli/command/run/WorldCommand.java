@@ -12,6 +12,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.ReportPage;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
+import arcomat.pipeline.world.WriteAnimation;
 import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
@@ -61,6 +62,14 @@ public final class WorldCommand extends Command {
     private String report;
 
     @Option(
+            names = "--animation",
+            paramLabel = "FILE.svg",
+            description =
+                    "Write the run as one picture that moves, for pages of others; it has no"
+                            + " script.")
+    private String animation;
+
+    @Option(
             names = "--runs",
             paramLabel = "N",
             defaultValue = "1",
@@ -95,8 +104,10 @@ public final class WorldCommand extends Command {
         if (runs < 1) {
             throw new WrongUse("--runs " + runs + " is less than 1");
         }
-        if (runs > 1 && report != null) {
-            throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
+        if (runs > 1 && (report != null || animation != null)) {
+            throw new WrongUse(
+                    (report != null ? "--report" : "--animation")
+                            + " shows one run; choose it with --seed, without --runs");
         }
         if (runs > 1 && !seeds.isSingle()) {
             throw new WrongUse("--then is about one run; choose it with --seed, without --runs");
@@ -128,14 +139,20 @@ public final class WorldCommand extends Command {
                         ? prepared.run(drawn, bricks.patience(), bricks.limits())
                         : prepared.explain(drawn, bricks.patience(), bricks.limits());
         tell(recording, prepared);
+        String title = world + ", " + seeds.shown() + set.shown();
         if (report != null) {
-            String title = world + ", " + seeds.shown() + set.shown();
-            String written = session.run(new WriteReplay(recording, title, report));
-            if (format == OutputFormat.text) {
-                printLine("wrote " + written);
-            }
+            tellWritten(session.run(new WriteReplay(recording, title, report)));
+        }
+        if (animation != null) {
+            tellWritten(session.run(new WriteAnimation(recording, title, animation)));
         }
         return status(recording.succeeded());
+    }
+
+    private void tellWritten(String path) {
+        if (format == OutputFormat.text) {
+            printLine("wrote " + path);
+        }
     }
 
     /** A program reads one text: that of the run, or that of the findings that do not let it be. */

@@ -68,7 +68,7 @@ public final class McpCommand extends Command {
         if (longest < SHORTEST_ANSWER) {
             throw new WrongUse("--max-answer " + longest + " is less than " + SHORTEST_ANSWER);
         }
-        PathNames fenced = new PathNames(session.names().directory(), fence(session.names()));
+        PathNames fenced = new PathNames(session.names().directory(), fence(session));
         AgentTerms terms =
                 new AgentTerms(
                         new Session(fenced, session.progress()).with(session.guests()),
@@ -83,7 +83,9 @@ public final class McpCommand extends Command {
         return ExitStatus.FINE;
     }
 
-    private Fence fence(PathNames names) throws WrongUse {
+    /** Around the folders that were named, and the libraries that guests have brought. */
+    private Fence fence(Session session) throws WrongUse {
+        PathNames names = session.names();
         List<Path> folders = new ArrayList<>();
         for (String root : roots) {
             Path folder = names.resolve(root);
@@ -92,6 +94,7 @@ public final class McpCommand extends Command {
             }
             folders.add(folder);
         }
+        session.libraries().forEach(each -> folders.add(names.resolve(each)));
         return Fence.around(folders, roots);
     }
 }

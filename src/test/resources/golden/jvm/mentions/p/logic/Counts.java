@@ -2,8 +2,6 @@
 
 package p.logic;
 
-import arcomat.rt.Check;
-
 /** Component p.Counts. */
 public final class Counts {
     /** in Boolean x */
@@ -47,7 +45,7 @@ public final class Counts {
         if (hasX) {
             careful = one;
             hasCareful = true;
-            one = Check.range(two % 5, 0, 5, "Counts, s -> s (line 11): one");
+            one = two % 5;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.

@@ -61,13 +61,11 @@ public final class CountsMonitor extends arcomat.rt.Monitor {
                     send(0, two);
                 }
                 // line 11: s {x == false} / {one = two % 5, careful = one};
-                risk();
                 if (hasX && !x) {
                     go("line 11: s -> s", S);
-                    set(0, careful.range(two % 5, 0, 5, "Counts, s -> s (line 11): one"));
+                    set(0, two % 5);
                     send(1, one);
                 }
-                unlessWrong();
                 break;
 
             default:
