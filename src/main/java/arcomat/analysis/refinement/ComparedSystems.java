@@ -2,6 +2,7 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.encoding.SymbolicInclusion;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.system.AutomataSystem;
@@ -13,7 +14,9 @@ import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -98,6 +101,28 @@ public record ComparedSystems(
 
     public TraceInclusion inclusion(Budget budget) {
         return new TraceInclusion(left, right, observed, outputs, budget);
+    }
+
+    /**
+     * As above, with a second engine beside a long search.
+     *
+     * @param symbolic makes the systems that it is asked about: its own ones
+     */
+    TraceInclusion inclusion(Budget budget, Supplier<Optional<ComparedSystems>> symbolic) {
+        return new TraceInclusion(
+                left,
+                right,
+                observed,
+                outputs,
+                budget,
+                () -> symbolic.get().flatMap(own -> own.symbolic(budget)));
+    }
+
+    /** An engine that does not look at configurations one by one, where there is one for these. */
+    private Optional<SymbolicInclusion> symbolic(Budget budget) {
+        return left instanceof NetworkSystem network && network.canBePacked()
+                ? SymbolicInclusion.of(network.smaller().system(), right, outputs, budget)
+                : Optional.empty();
     }
 
     Explored explored(TraceInclusion inclusion) {

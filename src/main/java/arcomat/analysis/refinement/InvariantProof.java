@@ -112,10 +112,17 @@ public final class InvariantProof {
         Promise together = Promise.of(watch.together(), asked.arguments());
         ComparedSystems systems =
                 ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
-        TraceInclusion inclusion = systems.inclusion(budget);
+        TraceInclusion inclusion = systems.inclusion(budget, this::symbolic);
         return Budget.within(
                 () -> verdict(together, systems, inclusion).without(inclusion),
                 reason -> Verdict.unknown(reason, explored(inclusion)));
+    }
+
+    /** The same question once more, for the second engine. */
+    private Optional<ComparedSystems> symbolic() {
+        Promise together = Promise.of(watch.together(), asked.arguments());
+        return Optional.of(
+                ComparedSystems.of(together, Promise.of(silent(), List.of()), budget));
     }
 
     private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {

@@ -36,7 +36,9 @@ public final class Refinement {
         this.left = left;
         this.right = right;
         this.systems = ComparedSystems.of(left, right, budget);
-        this.inclusion = systems.inclusion(budget);
+        this.inclusion =
+                systems.inclusion(
+                        budget, () -> Optional.of(ComparedSystems.of(left, right, budget)));
     }
 
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
@@ -180,7 +182,8 @@ public final class Refinement {
             return Verdict.unknown(stopped.get(), explored);
         }
         proof.accept(inclusion::certificate);
-        List<String> notes = Vacuity.notes(right, systems.right(), result);
+        List<String> notes = Vacuity.notes(
+                        right, systems.right(), result, inclusion.invariant().isEmpty());
         return Verdict.holds(result.simulation(), notes, explored);
     }
 

@@ -23,8 +23,14 @@ public final class Vacuity {
                 Explored.NOTHING);
     }
 
+    /**
+     * @param complete whether all was explored; else nothing is called empty
+     */
     static List<String> notes(
-            Promise right, TransitionSystem theirs, TraceInclusion.Result result) {
+            Promise right,
+            TransitionSystem theirs,
+            TraceInclusion.Result result,
+            boolean complete) {
         List<String> notes = new ArrayList<>();
         int all = 0;
         for (Automaton automaton : right.automata()) {
@@ -36,15 +42,16 @@ public final class Vacuity {
                 used.add(cause);
             }
         }
-        if (all > 0) {
+        if (all > 0 && (complete || !used.isEmpty())) {
             notes.add(
                     used.isEmpty()
                             ? "empty: none of the %d transitions of %s took part"
                                     .formatted(all, right.title())
-                            : "%d of %d transitions of %s took part"
-                                    .formatted(used.size(), all, right.title()));
+                            : (complete ? "" : "at least ")
+                                    + "%d of %d transitions of %s took part"
+                                            .formatted(used.size(), all, right.title()));
         }
-        if (result.chaosReached() && !result.promising()) {
+        if (complete && result.chaosReached() && !result.promising()) {
             notes.add("empty: %s promises nothing after any input".formatted(right.title()));
         } else if (result.chaosReached()) {
             notes.add("some runs are allowed only because %s is in chaos".formatted(right.title()));

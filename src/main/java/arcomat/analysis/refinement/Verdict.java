@@ -132,6 +132,12 @@ public record Verdict(
                             + (others > 0 ? " and %d more".formatted(others) : ""));
         }
         all.addAll(search.equalParts());
+        search.invariant()
+                .ifPresent(
+                        clauses ->
+                                all.add(
+                                        "proved symbolically: an inductive invariant of %d clauses, verified; not all pairs were explored"
+                                                .formatted(clauses)));
         all.addAll(notes);
         return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
     }

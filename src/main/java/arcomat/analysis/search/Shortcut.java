@@ -2,7 +2,8 @@ package arcomat.analysis.search;
 
 /**
  * A rule by which an analysis leaves work out. Each changes what an answer costs, none what it is;
- * but for the last two, which leave a remark out. A {@link Budget} is asked whenever one is about
+ * but for the last two, which leave a remark out, and {@link #SYMBOLIC},
+ * after which less is remarked. A {@link Budget} is asked whenever one is about
  * to be taken, so that a test sees that it was, and asks again without it.
  */
 public enum Shortcut {
@@ -37,6 +38,9 @@ public enum Shortcut {
 
     /** Of configurations that differ in the places of equal parts, one is looked at. */
     EQUAL_PARTS,
+
+    /** What an inductive invariant proves is not explored to the end. */
+    SYMBOLIC,
 
     /** Compositions refine each other if their parts do. */
     PART_BY_PART,

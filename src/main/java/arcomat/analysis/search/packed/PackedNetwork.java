@@ -12,6 +12,8 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
@@ -322,7 +324,7 @@ public final class PackedNetwork {
     }
 
     /** The number of a message from outside, by position of the external input. */
-    public int external(int input, Value message) {
+    public int external(int input, @Nullable Value message) {
         return number(network.inputs().get(input).signal(), Sent.of(message));
     }
 

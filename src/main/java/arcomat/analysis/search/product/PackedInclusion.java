@@ -46,6 +46,7 @@ final class PackedInclusion {
     private final NetworkSystem left;
     private final PackedNetwork network;
     private final Budget budget;
+    private final SymbolicTurns symbolic;
     private final PackedAnswers answers;
     private final PackedPairs pairs;
     private PackedLayout layout;
@@ -59,10 +60,12 @@ final class PackedInclusion {
     private int failed = NONE;
     private int failedCost;
 
-    private PackedInclusion(Product product, NetworkSystem left, Budget budget) {
+    private PackedInclusion(
+            Product product, NetworkSystem left, Budget budget, SymbolicTurns symbolic) {
         this.product = product;
         this.left = left;
         this.budget = budget;
+        this.symbolic = symbolic;
         network = left.packed();
         answers = new PackedAnswers(product, left, network);
         layout = network.layout();
@@ -80,14 +83,18 @@ final class PackedInclusion {
                 && !product.hasFreeData();
     }
 
-    /** Ready to search; empty where that is not possible. */
-    static Optional<PackedInclusion> of(Product product, Budget budget) {
+    /**
+     * Ready to search; empty where that is not possible.
+     *
+     * @param symbolic asked beside the search
+     */
+    static Optional<PackedInclusion> of(Product product, Budget budget, SymbolicTurns symbolic) {
         if (!isFor(product)) {
             return Optional.empty();
         }
         try {
             NetworkSystem network = (NetworkSystem) product.left;
-            return Optional.of(new PackedInclusion(product, network, budget));
+            return Optional.of(new PackedInclusion(product, network, budget, symbolic));
         } catch (CannotPack unfit) {
             return Optional.empty();
         }
@@ -170,9 +177,13 @@ final class PackedInclusion {
             for (int node : frontier) {
                 @Nullable String exhausted = exhausted();
                 if (exhausted != null) {
-                    return found(Optional.of(exhausted));
+                    boolean proved = failed == NONE && symbolic.proveAlone(pairs.size());
+                    return found(proved ? Optional.empty() : Optional.of(exhausted));
                 }
                 widening(() -> expand(node));
+                if (failed == NONE && symbolic.prove(pairs.size())) {
+                    return found(Optional.empty());
+                }
             }
             frontier = pairs.nextLevel();
         }

@@ -3,6 +3,7 @@ package arcomat.analysis.search.product;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.composition.GlobalState;
+import arcomat.analysis.search.encoding.SymbolicInclusion;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.OutputCubes;
@@ -21,6 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
@@ -47,6 +49,7 @@ public final class TraceInclusion {
     private final Budget budget;
     private final SimulationRelation simulation;
     private final Antichain pairs;
+    private final SymbolicTurns symbolic;
     private boolean chaosReached;
     private boolean promising;
     private @Nullable PackedInclusion packed;
@@ -66,6 +69,22 @@ public final class TraceInclusion {
             List<Port> observed,
             OutputCubes outputs,
             Budget budget) {
+        this(left, right, observed, outputs, budget, Optional::empty);
+    }
+
+    /**
+     * @param observed the output ports of the right side, as cubes list them
+     * @param symbolic makes an engine for the same question, which is asked beside a long search
+     *     and ends it where it has proved the inclusion
+     */
+    public TraceInclusion(
+            TransitionSystem left,
+            TransitionSystem right,
+            List<Port> observed,
+            OutputCubes outputs,
+            Budget budget,
+            Supplier<Optional<SymbolicInclusion>> symbolic) {
+        this.symbolic = new SymbolicTurns(symbolic, budget);
         this.product = new Product(left, right, observed, outputs, budget);
         this.budget = budget;
         this.simulation = new SimulationRelation(product, budget);
@@ -159,7 +178,7 @@ public final class TraceInclusion {
      */
     private Optional<Result> packed(
             Product asked, NetworkSystem whole, UnaryOperator<GlobalState> image) {
-        Optional<PackedInclusion> search = PackedInclusion.of(asked, budget);
+        Optional<PackedInclusion> search = PackedInclusion.of(asked, budget, symbolic);
         if (search.isEmpty()) {
             return Optional.empty();
         }
@@ -272,6 +291,8 @@ public final class TraceInclusion {
                         ? Optional.empty()
                         : best != null
                                 ? Optional.of(false)
+                                : invariant().isPresent()
+                                ? Optional.empty()
                                 : pairs.isDetermined() && budget.takes(Shortcut.DETERMINED)
                                         ? certain(true)
                                         : simulation.verdict().flatMap(this::certain);
@@ -397,6 +418,14 @@ public final class TraceInclusion {
     /** Which parts of the left side are equal, so that the search did not tell their places. */
     public List<String> equalParts() {
         return packed == null ? List.of() : packed.equalParts();
+    }
+
+    /**
+     * Of how many clauses the invariant is that shows the inclusion, where it was not the search
+     * that did.
+     */
+    public Optional<Integer> invariant() {
+        return symbolic.invariant();
     }
 
     /** How many pairs were explored so far. */

@@ -7,6 +7,7 @@ import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.composition.SliceUnfolding;
 import arcomat.analysis.search.composition.Unfolding;
 import arcomat.analysis.search.letter.Representatives;
+import arcomat.analysis.search.packed.NetworkTables;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.reduction.EqualParts;
 import arcomat.analysis.search.reduction.SmallerNetwork;
@@ -32,6 +33,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /**
  * A composition of parts, unfolded as far as a search asks for it. Connections that are no ports of
@@ -139,6 +141,40 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
                 equalParts(),
                 budget::insist,
                 budget::takes);
+    }
+
+    /**
+     * All that its parts may do, in numbers.
+     *
+     * @param messages by input what may come
+     * @param starts where runs begin, by configuration
+     * @param most as {@link NetworkTables#of} has it
+     * @param rules as there
+     */
+    public NetworkTables tables(
+            List<List<@Nullable Value>> messages, int[] starts, int most, int rules) {
+        PackedNetwork packed =
+                new PackedNetwork(
+                        network,
+                        unfolding.behaviours(),
+                        comparedSignals(),
+                        List.of(),
+                        budget::insist,
+                        budget::takes);
+        List<GlobalState> states = IntStream.of(starts).mapToObj(this::state).toList();
+        return NetworkTables.of(packed, messages, states, most, rules);
+    }
+
+    /** The signals of inputs. */
+    public int[] inputSignals() {
+        return network.inputs().stream().mapToInt(Network.External::signal).toArray();
+    }
+
+    /** The signals of compared outputs; {@link Network#UNCONNECTED} where nothing is ever sent. */
+    public int[] outputSignals() {
+        return observed()
+                .map(i -> i < 0 ? Network.UNCONNECTED : network.outputs().get(i).signal())
+                .toArray();
     }
 
     private List<EqualParts> equalParts() {

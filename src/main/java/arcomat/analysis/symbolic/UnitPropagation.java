@@ -1,0 +1,152 @@
+package arcomat.analysis.symbolic;
+
+import com.carrotsearch.hppc.IntArrayList;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Checks a refutation: each conclusion has to follow from the clauses before it by unit propagation
+ * (Goldberg, Novikov, "Verification of proofs of unsatisfiability for CNF formulas", DATE 2003).
+ */
+final class UnitPropagation {
+    /** Per literal, the clauses that watch it: of each clause, two literals that may be true. */
+    private final List<List<int[]>> watching = new ArrayList<>();
+
+    /** Per literal. */
+    private final boolean[] isTrue;
+
+    private final IntArrayList trail = new IntArrayList();
+    private int done;
+
+    /** What has been shown to be wrong whatever is assumed. */
+    private boolean refuted;
+
+    UnitPropagation(Clauses clauses) {
+        int literals = 2 * clauses.variables() + 2;
+        isTrue = new boolean[literals];
+        for (int i = 0; i < literals; i++) {
+            watching.add(new ArrayList<>());
+        }
+        clauses.all().forEach(this::add);
+    }
+
+    /** Whether the conclusions follow one after the other, and the last one cannot be. */
+    boolean refutes(List<int[]> conclusions, Runnable between) {
+        for (int[] clause : conclusions) {
+            between.run();
+            if (refuted) {
+                return true;
+            }
+            if (!follows(clause)) {
+                return false;
+            }
+            add(clause);
+        }
+        return refuted;
+    }
+
+    private static int place(int literal) {
+        return literal > 0 ? 2 * literal : -2 * literal + 1;
+    }
+
+    private boolean isTrue(int literal) {
+        return isTrue[place(literal)];
+    }
+
+    private boolean isFalse(int literal) {
+        return isTrue[place(literal) ^ 1];
+    }
+
+    /** Whether the contrary leads to a contradiction. */
+    private boolean follows(int[] clause) {
+        int start = trail.size();
+        boolean contradicts = false;
+        for (int literal : clause) {
+            contradicts |= isTrue(literal);
+            if (!contradicts && !isFalse(literal)) {
+                assume(-literal);
+            }
+        }
+        contradicts = contradicts || !propagate();
+        for (int i = start; i < trail.size(); i++) {
+            isTrue[place(trail.get(i))] = false;
+        }
+        trail.elementsCount = start;
+        done = start;
+        return contradicts;
+    }
+
+    private void assume(int literal) {
+        isTrue[place(literal)] = true;
+        trail.add(literal);
+    }
+
+    private void add(int[] clause) {
+        int[] own = Arrays.stream(clause).distinct().toArray();
+        int free = 0;
+        for (int i = 0; i < own.length && free < 2; i++) {
+            if (!isFalse(own[i])) {
+                int literal = own[free];
+                own[free++] = own[i];
+                own[i] = literal;
+            }
+        }
+        if (free == 0) {
+            refuted = true;
+        } else if (free == 2) {
+            watching.get(place(own[0])).add(own);
+            watching.get(place(own[1])).add(own);
+        } else if (!isTrue(own[0])) {
+            assume(own[0]);
+            refuted |= !propagate();
+        }
+    }
+
+    /** Whether all clauses can still be true. */
+    private boolean propagate() {
+        while (done < trail.size()) {
+            int wrong = -trail.get(done++);
+            List<int[]> all = watching.get(place(wrong));
+            int kept = 0;
+            boolean possible = true;
+            for (int i = 0; i < all.size(); i++) {
+                int[] clause = all.get(i);
+                boolean stays = !possible || stays(clause, wrong);
+                if (stays) {
+                    all.set(kept++, clause);
+                    possible = possible && !isFalse(clause[0]);
+                }
+            }
+            all.subList(kept, all.size()).clear();
+            if (!possible) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether a clause goes on watching what is false now; its first literal is true then. */
+    private boolean stays(int[] clause, int wrong) {
+        if (clause[0] == wrong) {
+            clause[0] = clause[1];
+            clause[1] = wrong;
+        }
+        if (isTrue(clause[0])) {
+            return true;
+        }
+        for (int i = 2; i < clause.length; i++) {
+            if (!isFalse(clause[i])) {
+                clause[1] = clause[i];
+                clause[i] = wrong;
+                watching.get(place(clause[1])).add(clause);
+                return false;
+            }
+        }
+        if (!isFalse(clause[0])) {
+            assume(clause[0]);
+        }
+        return true;
+    }
+}
