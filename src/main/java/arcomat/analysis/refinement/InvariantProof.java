@@ -121,8 +121,7 @@ public final class InvariantProof {
     /** The same question once more, for the second engine. */
     private Optional<ComparedSystems> symbolic() {
         Promise together = Promise.of(watch.together(), asked.arguments());
-        return Optional.of(
-                ComparedSystems.of(together, Promise.of(silent(), List.of()), budget));
+        return Optional.of(ComparedSystems.of(together, Promise.of(silent(), List.of()), budget));
     }
 
     private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {

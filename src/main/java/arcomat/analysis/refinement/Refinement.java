@@ -182,8 +182,8 @@ public final class Refinement {
             return Verdict.unknown(stopped.get(), explored);
         }
         proof.accept(inclusion::certificate);
-        List<String> notes = Vacuity.notes(
-                        right, systems.right(), result, inclusion.invariant().isEmpty());
+        List<String> notes =
+                Vacuity.notes(right, systems.right(), result, inclusion.invariant().isEmpty());
         return Verdict.holds(result.simulation(), notes, explored);
     }
 

@@ -2,9 +2,9 @@ package arcomat.analysis.search;
 
 /**
  * A rule by which an analysis leaves work out. Each changes what an answer costs, none what it is;
- * but for the last two, which leave a remark out, and {@link #SYMBOLIC},
- * after which less is remarked. A {@link Budget} is asked whenever one is about
- * to be taken, so that a test sees that it was, and asks again without it.
+ * but for the last two, which leave a remark out, and {@link #SYMBOLIC}, after which less is
+ * remarked. A {@link Budget} is asked whenever one is about to be taken, so that a test sees that
+ * it was, and asks again without it.
  */
 public enum Shortcut {
     /**

@@ -9,9 +9,9 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * What is known of the states that can be reached in at most so many steps: cubes that none of
- * them is in, each at the highest level for which that is known, and a solver that knows the same.
- * A cube is a set of literals that count positions of the state from 1 on.
+ * What is known of the states that can be reached in at most so many steps: cubes that none of them
+ * is in, each at the highest level for which that is known, and a solver that knows the same. A
+ * cube is a set of literals that count positions of the state from 1 on.
  */
 final class Frames {
     /** Clauses of single questions, which a solver keeps: so many, then there is a new one. */

@@ -12,8 +12,8 @@ import java.util.PriorityQueue;
 /**
  * Looks for an inductive invariant that excludes bad steps, by property directed reachability
  * (Bradley, "SAT-based model checking without unrolling", VMCAI 2011; Eén, Mishchenko, Brayton,
- * "Efficient implementation of property directed reachability", FMCAD 2011). Works as long as it
- * is told to, and can go on later. What it finds is to be checked: {@link InductiveInvariant}.
+ * "Efficient implementation of property directed reachability", FMCAD 2011). Works as long as it is
+ * told to, and can go on later. What it finds is to be checked: {@link InductiveInvariant}.
  */
 public final class PropertyDirectedReachability {
     /** How far it has come. */
@@ -34,7 +34,8 @@ public final class PropertyDirectedReachability {
     private final PriorityQueue<Obligation> open =
             new PriorityQueue<>(
                     Comparator.comparingInt(Obligation::level)
-                            .thenComparing(Comparator.comparingLong(Obligation::number).reversed()));
+                            .thenComparing(
+                                    Comparator.comparingLong(Obligation::number).reversed()));
     private Progress progress = Progress.WORKS;
     private @Nullable InductiveInvariant invariant;
     private long numbers;

@@ -397,7 +397,9 @@ public final class SatSolver {
         }
     }
 
-    /** Half of what was learnt is of little use. At the lowest level, no long clause is a reason. */
+    /**
+     * Half of what was learnt is of little use. At the lowest level, no long clause is a reason.
+     */
     private void forget() {
         if (learnt.size() < mostLearnt) {
             return;

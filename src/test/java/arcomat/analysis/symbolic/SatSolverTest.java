@@ -24,9 +24,10 @@ class SatSolverTest {
             Clauses clauses = clauses(random, variables, (int) (variables * 3.4));
             SatSolver solver = clauses.into(new SatSolver());
             for (int question = 0; question < 3; question++) {
-                int[] assumed = IntStream.range(0, 1 + random.nextInt(3))
-                        .map(j -> literal(random, variables))
-                        .toArray();
+                int[] assumed =
+                        IntStream.range(0, 1 + random.nextInt(3))
+                                .map(j -> literal(random, variables))
+                                .toArray();
                 boolean possible = isPossible(clauses, assumed);
                 assertThat(solver.solve(assumed)).isEqualTo(possible);
                 satisfied += possible ? 1 : 0;
@@ -80,8 +81,7 @@ class SatSolverTest {
         }
         for (int i = 0; i < count; i++) {
             int length = random.nextInt(8) == 0 ? 2 : 3;
-            clauses.add(
-                    IntStream.range(0, length).map(j -> literal(random, variables)).toArray());
+            clauses.add(IntStream.range(0, length).map(j -> literal(random, variables)).toArray());
         }
         return clauses;
     }
@@ -120,8 +120,6 @@ class SatSolverTest {
                         clause ->
                                 Arrays.stream(clause)
                                         .anyMatch(
-                                                each ->
-                                                        solver.isTrue(Math.abs(each))
-                                                                == each > 0));
+                                                each -> solver.isTrue(Math.abs(each)) == each > 0));
     }
 }

@@ -129,8 +129,7 @@ final class AnswerBits {
     int fails() {
         int follows = or(answers.stream());
         int errs = or(ends.stream().map(literal -> new Answer(0, literal)));
-        return clauses.or(
-                clauses.and(network.end(), -errs), clauses.and(-network.end(), -follows));
+        return clauses.or(clauses.and(network.end(), -errs), clauses.and(-network.end(), -follows));
     }
 
     /** What it may be in after a beginning, variable by variable; none where it forbids that. */
@@ -159,8 +158,7 @@ final class AnswerBits {
 
     private void answers(int position) {
         int configuration = configurations.get(position);
-        List<PortAbstraction> looks =
-                right.letterClasses(configuration).abstraction().looks();
+        List<PortAbstraction> looks = right.letterClasses(configuration).abstraction().looks();
         List<List<int[]>> kinds = new ArrayList<>();
         long letters = 1;
         for (int port = 0; port < inputs.length; port++) {

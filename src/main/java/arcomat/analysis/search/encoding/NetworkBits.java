@@ -130,8 +130,7 @@ final class NetworkBits {
     private int kind(int signal, int[] variables, int[] messages) {
         Kind kind = new Kind(signal, IntStream.of(messages).boxed().toList());
         return kinds.computeIfAbsent(
-                kind,
-                each -> clauses.or(IntStream.of(messages).map(i -> variables[i]).toArray()));
+                kind, each -> clauses.or(IntStream.of(messages).map(i -> variables[i]).toArray()));
     }
 
     /**

@@ -224,7 +224,8 @@ public record NetworkTables(
             int ports = instance.inputSignals().size();
             int[][][] kinds = new int[ports][][];
             for (int port = 0; port < ports; port++) {
-                kinds[port] = kinds(outcomes, configuration, port, instance.inputSignals().get(port));
+                kinds[port] =
+                        kinds(outcomes, configuration, port, instance.inputSignals().get(port));
             }
             if (Arrays.stream(kinds).anyMatch(each -> each.length == 0)) {
                 if (grows) {

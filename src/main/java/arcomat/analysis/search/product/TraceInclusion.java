@@ -292,10 +292,10 @@ public final class TraceInclusion {
                         : best != null
                                 ? Optional.of(false)
                                 : invariant().isPresent()
-                                ? Optional.empty()
-                                : pairs.isDetermined() && budget.takes(Shortcut.DETERMINED)
-                                        ? certain(true)
-                                        : simulation.verdict().flatMap(this::certain);
+                                        ? Optional.empty()
+                                        : pairs.isDetermined() && budget.takes(Shortcut.DETERMINED)
+                                                ? certain(true)
+                                                : simulation.verdict().flatMap(this::certain);
         return new Result(
                 Optional.ofNullable(best), stopped, simulated, chaosReached, promising, pairs());
     }
