@@ -136,7 +136,8 @@ public record Verdict(
                 .ifPresent(
                         clauses ->
                                 all.add(
-                                        "proved symbolically: an inductive invariant of %d clauses, verified; not all pairs were explored"
+                                        "proved symbolically: an inductive invariant of %d clauses,"
++ " verified; not all pairs were explored"
                                                 .formatted(clauses)));
         all.addAll(notes);
         return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
