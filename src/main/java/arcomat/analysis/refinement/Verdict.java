@@ -39,6 +39,10 @@ public record Verdict(
 
     private static final int MOST_NAMED = 5;
 
+    private static final String PROVED =
+            "proved symbolically: an inductive invariant of %d clauses, verified;"
+                    + " not all pairs were explored";
+
     /** Whether a question is answered with yes, no, or not at all. */
     public enum Answer {
         HOLDS,
@@ -132,13 +136,7 @@ public record Verdict(
                             + (others > 0 ? " and %d more".formatted(others) : ""));
         }
         all.addAll(search.equalParts());
-        search.invariant()
-                .ifPresent(
-                        clauses ->
-                                all.add(
-                                        "proved symbolically: an inductive invariant of %d clauses,"
-+ " verified; not all pairs were explored"
-                                                .formatted(clauses)));
+        search.invariant().ifPresent(clauses -> all.add(PROVED.formatted(clauses)));
         all.addAll(notes);
         return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
     }
