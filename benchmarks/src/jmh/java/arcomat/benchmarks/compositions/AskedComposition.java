@@ -3,6 +3,7 @@ package arcomat.benchmarks.compositions;
 import arcomat.analysis.refinement.InvariantProof;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Shortcut;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;
@@ -14,9 +15,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** The question of a system, asked in a process of its own: {@code philosophers 7}. */
+/**
+ * The question of a system, asked in a process of its own: {@code philosophers 7}. With {@code
+ * explicit} behind, by the search through configurations alone.
+ */
 public final class AskedComposition {
     private static final long MOST_STATES = 500_000_000;
+
+    static final String EXPLICIT = "explicit";
 
     private AskedComposition() {}
 
@@ -24,12 +30,11 @@ public final class AskedComposition {
     public static void main(String[] arguments) {
         ComposedSystem system = ComposedSystems.of(arguments[0], Integer.parseInt(arguments[1]));
         Component whole = model(system).component("load.Whole").orElseThrow();
-        Verdict verdict =
-                InvariantProof.check(
-                        whole,
-                        List.of(),
-                        whole.invariants().get(0),
-                        new Budget(() -> false, MOST_STATES));
+        boolean explicit = List.of(arguments).contains(EXPLICIT);
+        Budget budget =
+                new Budget(() -> false, MOST_STATES)
+                        .with(rule -> rule != Shortcut.SYMBOLIC || !explicit);
+        Verdict verdict = InvariantProof.check(whole, List.of(), whole.invariants().get(0), budget);
         System.out.printf("%s %d%n", verdict.answer(), verdict.explored().pairs());
     }
 

@@ -23,6 +23,19 @@ public final class CompositionsGroup implements Group {
                     + " 9,shift 14,shift 18,shift 20,shift 22,queues 4,queues 6,queues 8,queues"
                     + " 9,leader 8,leader 10";
 
+    /** Those that both engines are asked about; Spin is not. */
+    private static final List<String> SYMBOLIC =
+            List.of(
+                    "philosophers 9",
+                    "philosophers 10",
+                    "philosophers 12",
+                    "queues 9",
+                    "tokens 12");
+
+    private static final String TOGETHER = " with both engines";
+    private static final String LARGEST = "philosophers 12";
+    private static final double SECONDS = 10;
+
     private static final double HALF = 0.5;
     private static final String MEMORY = " memory";
     private static final String SPIN = " Spin";
@@ -32,9 +45,13 @@ public final class CompositionsGroup implements Group {
 
     public CompositionsGroup() {
         for (String each : System.getProperty("systems", USUAL).split(",")) {
-            String[] words = each.strip().split(" ");
-            systems.add(ComposedSystems.of(words[0], Integer.parseInt(words[1])));
+            systems.add(system(each));
         }
+    }
+
+    private static ComposedSystem system(String label) {
+        String[] words = label.strip().split(" ");
+        return ComposedSystems.of(words[0], Integer.parseInt(words[1]));
     }
 
     @Override
@@ -59,6 +76,11 @@ public final class CompositionsGroup implements Group {
             for (ComposedSystem system : systems) {
                 measure(system, results);
             }
+            for (String label : SYMBOLIC) {
+                UserTime time = UserTime.of(command(system(label), List.of()));
+                requireHolds(label, time);
+                add(results, label + TOGETHER, time);
+            }
         } catch (InterruptedException e) {
             throw new IOException(e);
         }
@@ -67,12 +89,9 @@ public final class CompositionsGroup implements Group {
 
     private void measure(ComposedSystem system, Map<String, Measurement> results)
             throws IOException, InterruptedException {
-        UserTime ours = UserTime.of(command(system));
-        String[] answer = ours.output().split(" ");
-        if (!answer[0].equals("HOLDS")) {
-            throw new IllegalStateException(system.label() + ": " + ours.output());
-        }
-        long configurations = Long.parseLong(answer[1]);
+        UserTime ours = UserTime.of(command(system, List.of(AskedComposition.EXPLICIT)));
+        requireHolds(system.label(), ours);
+        long configurations = Long.parseLong(ours.output().split(" ")[1]);
         add(results, system.label(), ours);
         put(results, system.label() + " configurations", configurations, "");
         put(results, system.label() + " a second", configurations / ours.seconds(), "/s");
@@ -80,6 +99,12 @@ public final class CompositionsGroup implements Group {
             UserTime theirs = SpinVerifier.run(system);
             add(results, system.label() + SPIN, theirs);
             put(results, system.label() + SPIN + " states", SpinVerifier.stored(theirs), "");
+        }
+    }
+
+    private static void requireHolds(String label, UserTime time) {
+        if (!time.output().startsWith("HOLDS ")) {
+            throw new IllegalStateException(label + ": " + time.output());
         }
     }
 
@@ -93,21 +118,26 @@ public final class CompositionsGroup implements Group {
         results.put(label, Measurement.of(label, List.of(value), unit));
     }
 
-    private static List<String> command(ComposedSystem system) {
-        return List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx6g",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                AskedComposition.class.getName(),
-                system.name(),
-                String.valueOf(system.size()));
+    private static List<String> command(ComposedSystem system, List<String> more) {
+        List<String> command =
+                new ArrayList<>(
+                        List.of(
+                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                                "-Xmx6g",
+                                "-XX:+UseSerialGC",
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                AskedComposition.class.getName(),
+                                system.name(),
+                                String.valueOf(system.size())));
+        command.addAll(more);
+        return command;
     }
 
     @Override
     public List<Goal> goals() {
         List<Goal> goals = new ArrayList<>();
+        goals.add(Goal.aim(LARGEST + ", seconds", LARGEST + TOGETHER, "", SECONDS));
         for (ComposedSystem system : spin ? systems : List.<ComposedSystem>of()) {
             String label = system.label();
             goals.add(Goal.aim(label + ", time of Spin's", label, label + SPIN, HALF));
