@@ -4,6 +4,7 @@ import montiarc7.MontiArc7Parser.AutoElementContext;
 import montiarc7.MontiArc7Parser.AutomatonElementContext;
 import montiarc7.MontiArc7Parser.ComponentContext;
 import montiarc7.MontiArc7Parser.ComputeElementContext;
+import montiarc7.MontiArc7Parser.ConditionElementContext;
 import montiarc7.MontiArc7Parser.ConnectorElementContext;
 import montiarc7.MontiArc7Parser.ConstraintElementContext;
 import montiarc7.MontiArc7Parser.ElementContext;
@@ -138,11 +139,11 @@ final class ComponentWriter {
 
     private String typeParameter(TypeParameterContext parameter) {
         String name = parameter.name().getText();
-        return parameter.type().isEmpty()
-                ? name
-                : parameter.type().stream()
-                        .map(types::message)
-                        .collect(Collectors.joining(" & ", name + " extends ", ""));
+        String bounds =
+                parameter.type().stream()
+                        .flatMap(each -> types.bound(each).stream())
+                        .collect(Collectors.joining(" & "));
+        return bounds.isEmpty() ? name : name + " extends " + bounds;
     }
 
     private PartWriter parts(Scope here) {
@@ -174,6 +175,11 @@ final class ComponentWriter {
                     .collect(Collectors.joining(", ", "feature ", ";\n"));
         } else if (element instanceof ConstraintElementContext constraint) {
             return features.constraint(constraint);
+        } else if (element instanceof ConditionElementContext condition) {
+            lacks.note(
+                    Lack.UNCHECKED,
+                    condition.expression(),
+                    "this condition is left out: runs of the converted model do not check it");
         } else if (element instanceof ModesElementContext) {
             lacks.missing(
                     Lack.MODES,
