@@ -82,7 +82,7 @@ final class Timing {
                         .toList();
     }
 
-    /** A port said in one word, until 2024, what it says in two now. */
+    /** A word of older models means two of today. */
     private static List<String> meaning(String word) {
         return word.equals("causalsync") ? List.of("sync", "delayed") : List.of(word);
     }
