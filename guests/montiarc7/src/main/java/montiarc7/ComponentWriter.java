@@ -14,6 +14,7 @@ import montiarc7.MontiArc7Parser.GroupElementContext;
 import montiarc7.MontiArc7Parser.InitElementContext;
 import montiarc7.MontiArc7Parser.InnerElementContext;
 import montiarc7.MontiArc7Parser.InstanceElementContext;
+import montiarc7.MontiArc7Parser.LiteralExpressionContext;
 import montiarc7.MontiArc7Parser.ModesElementContext;
 import montiarc7.MontiArc7Parser.NameContext;
 import montiarc7.MontiArc7Parser.ParameterContext;
@@ -152,6 +153,14 @@ final class ComponentWriter {
 
     private String parameter(ParameterContext parameter) {
         String declared = types.message(parameter.type()) + " " + parameter.name().getText();
+        if (parameter.expression() instanceof LiteralExpressionContext literal
+                && types.isOpaque(parameter.type())) {
+            lacks.missing(
+                    Lack.EXPRESSION,
+                    literal,
+                    "'%s' is no value of '%s', which is defined in no class diagram here; give it to the parts, or use another type"
+                            .formatted(literal.getText(), parameter.type().getText()));
+        }
         return parameter.expression() == null
                 ? declared
                 : declared + " = " + new ExpressionWriter(scope).write(parameter.expression());

@@ -98,6 +98,11 @@ final class TypeNames {
         return known(type).orElseGet(() -> opaque(type, plain(type)));
     }
 
+    /** Whether nobody here knows what a type has for values. */
+    boolean isOpaque(TypeContext type) {
+        return known(type).isEmpty();
+    }
+
     /** What arguments of a type parameter have to be; nothing where nobody here knows the type. */
     Optional<String> bound(TypeContext type) {
         Optional<String> known = known(type);
