@@ -52,7 +52,7 @@ public record NetworkTables(
      * @param read by input port the numbers of these messages; null where it may be any
      * @param ways what it may do
      */
-    public record Rule(int configuration, int @Nullable [][] read, List<Way> ways) {}
+    public record Rule(int configuration, int[] @Nullable [] read, List<Way> ways) {}
 
     /**
      * A way to react.
