@@ -31,10 +31,11 @@ import java.util.stream.Stream;
  * configurations, true where it may be in it (subset construction).
  */
 final class AnswerBits {
-    /** So many configurations and steps of the right side are written down. */
+    /** So many configurations of the right side are written down, */
     private static final int MOST_CONFIGURATIONS = 256;
 
-    private static final int MOST_LETTERS = 4096;
+    /** .. with so many letters in all. */
+    private static final int MOST_LETTERS = 20_000;
 
     /** An answer, with the configuration that it leads to. */
     private record Answer(int next, int literal) {}
@@ -54,6 +55,7 @@ final class AnswerBits {
     private final List<Integer> before = new ArrayList<>();
     private final List<Answer> answers = new ArrayList<>();
     private final List<Integer> ends = new ArrayList<>();
+    private long written;
 
     /**
      * @param inputs signals of the inputs of the right side
@@ -164,10 +166,11 @@ final class AnswerBits {
         for (int port = 0; port < inputs.length; port++) {
             kinds.add(kinds(right.inputs().get(port), looks.get(port), inputs[port]));
             letters *= kinds.get(port).size();
-            if (letters > MOST_LETTERS) {
+            if (written + letters > MOST_LETTERS) {
                 throw new NetworkTables.TooLarge();
             }
         }
+        written += letters;
         for (long letter = 0; letter < letters; letter++) {
             answers(position, kinds, letter);
         }

@@ -16,6 +16,7 @@ import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
 import arcomat.analysis.symbolic.TransitionRelation;
 import arcomat.model.Port;
 import arcomat.model.Value;
+import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.SmallType;
 
 import org.jspecify.annotations.Nullable;
@@ -32,7 +33,7 @@ import java.util.stream.IntStream;
  */
 public final class SymbolicInclusion {
     private static final int MOST_VALUES = 64;
-    private static final int MOST_RULES = 10_000;
+    private static final int MOST_RULES = 20_000;
     private static final int MOST_STARTS = 1_000;
 
     private final TransitionRelation relation;
@@ -53,6 +54,9 @@ public final class SymbolicInclusion {
             return relation(left, right, outputs)
                     .map(relation -> new SymbolicInclusion(relation, budget));
         } catch (CannotPack | TooLarge unfit) {
+            return Optional.empty();
+        } catch (GivenUp tooMuch) { // perhaps in what no run ever meets
+            budget.insist();
             return Optional.empty();
         }
     }

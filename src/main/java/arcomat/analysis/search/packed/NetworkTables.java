@@ -87,8 +87,8 @@ public record NetworkTables(
     /**
      * @param inputs by external input the messages that may come
      * @param starts where runs begin
-     * @param most how many configurations of a part, messages on a signal, and
-     * @param rules how many rules of a part there may be
+     * @param most how many configurations of a part, and messages on a signal, there may be
+     * @param rules how many rules there may be in all
      */
     public static NetworkTables of(
             PackedNetwork network,
@@ -145,6 +145,7 @@ public record NetworkTables(
         private final int most;
         private final int mostRules;
         private boolean grows = true;
+        private int count;
 
         Closure(PackedNetwork network, int most, int mostRules) {
             this.network = network;
@@ -158,12 +159,14 @@ public record NetworkTables(
             do {
                 before = met;
                 met = 0;
+                count = 0;
                 for (int part = 0; part < network.parts.size(); part++) {
                     rules(part);
                     met += met(part);
                 }
             } while (met != before);
             grows = false;
+            count = 0;
         }
 
         /** What has been met in a part and on what it sends, counted. */
@@ -235,7 +238,7 @@ public record NetworkTables(
             }
             int[] which = new int[ports];
             do {
-                if (rules.size() == mostRules) {
+                if (++count > mostRules) {
                     throw new TooLarge();
                 }
                 rules.add(rule(part, configuration, kinds, which));

@@ -170,11 +170,16 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
         return network.inputs().stream().mapToInt(Network.External::signal).toArray();
     }
 
-    /** The signals of compared outputs; {@link Network#UNCONNECTED} where nothing is ever sent. */
+    /**
+     * The signals of compared outputs; {@link Network#UNCONNECTED} where nothing is ever sent.
+     *
+     * @throws PackedNetwork.CannotPack where a compared port is missing, so that all is open there
+     */
     public int[] outputSignals() {
-        return observed()
-                .map(i -> i < 0 ? Network.UNCONNECTED : network.outputs().get(i).signal())
-                .toArray();
+        if (observed().anyMatch(i -> i < 0)) {
+            throw new PackedNetwork.CannotPack("a compared port is missing");
+        }
+        return observed().map(i -> network.outputs().get(i).signal()).toArray();
     }
 
     private List<EqualParts> equalParts() {
