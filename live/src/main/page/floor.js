@@ -27,7 +27,11 @@ export class FloorView {
             event.preventDefault();
             this.run();
         });
-        [this.world, this.seed].forEach((each) => each.addEventListener('change', () => page.changed()));
+        this.seed.addEventListener('change', () => page.changed());
+        this.world.addEventListener('change', () => {
+            page.openText({ path: this.world.value });
+            page.changed();
+        });
         panel.addEventListener('keydown', (event) => {
             if (this.played && !event.target.closest('form')) {
                 this.played.key(event);

@@ -256,6 +256,7 @@ class LivePageTest extends BrowserTest {
                 .isEqualTo("22.0 s, no collision (as arcomat world --no-limits --seed 1)");
         assertThat(browser.findAll("#floor svg.floor .robot")).hasSize(2);
         assertThat(browser.text("#floor #events")).contains("loaded driving");
+        assertThat(browser.find("#floor .collision").isDisplayed()).isFalse();
         browser.run("document.querySelector('#floor .replay').focus()");
         browser.press(Keys.ARROW_RIGHT);
         assertThat(clock()).isEqualTo("0.1 s of 22.0 s");

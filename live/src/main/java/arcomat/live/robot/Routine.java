@@ -59,6 +59,18 @@ final class Routine extends Timetable {
         until(() -> time.now() + Processor.ROUND, () -> {});
     }
 
+    /**
+     * Calls and loops of which nobody sees anything, and which end with a loop.
+     *
+     * @param microseconds of all of them
+     */
+    void idle(long microseconds) {
+        if (microseconds > Processor.ROUND) {
+            until(() -> time.now() + microseconds - Processor.ROUND, () -> {});
+        }
+        loop();
+    }
+
     /** At a moment in microseconds; where that is past, when all others have had their turn. */
     void until(LongSupplier moment, Runnable action) {
         added.add(new Step(moment, action));

@@ -10,7 +10,7 @@ record Sending(Routine routine, Telephones telephones, String peer, int channel)
     @Override
     public void begin() {
         telephones.begin(peer);
-        routine.call();
+        routine.call(() -> telephones.to(peer).outgoing(channel));
     }
 
     @Override

@@ -1,9 +1,12 @@
 package arcomat.live.robot;
 
 import arcomat.sim.device.Hardware;
+import arcomat.sim.device.Processor;
 import arcomat.sim.radio.Channel;
 import arcomat.sim.radio.Link;
 import arcomat.sim.time.VirtualTime;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -35,7 +38,10 @@ final class Telephone {
     private final String peer;
     private final Routine routine;
     private final Mailbox[] incoming = boxes();
-    private final Mailbox[] outgoing = boxes();
+
+    /** Null where nobody sends. */
+    private final @Nullable Mailbox[] outgoing = new @Nullable Mailbox[CHANNELS];
+
     private final byte[] packet = new byte[PACKET];
 
     /**
@@ -56,7 +62,12 @@ final class Telephone {
     }
 
     Mailbox outgoing(int channel) {
-        return outgoing[channel];
+        Mailbox box = outgoing[channel];
+        if (box == null) {
+            box = new Mailbox();
+            outgoing[channel] = box;
+        }
+        return box;
     }
 
     void start() {
@@ -122,13 +133,19 @@ final class Telephone {
             close(link);
             return;
         }
-        routine.loop();
+        long idle = Processor.ROUND;
         for (int i = 0; i < CHANNELS; i++) {
-            int channel = i;
-            routine.call(() -> send(link, channel));
-            routine.then(routine::loop);
+            Mailbox box = outgoing[i];
+            if (box != null) {
+                int channel = i;
+                routine.idle(idle);
+                routine.call(() -> send(link, channel, box));
+                idle = Processor.ROUND;
+            } else {
+                idle += 2 * Processor.CALL + 2 * Processor.ROUND;
+            }
         }
-        routine.then(routine::loop);
+        routine.idle(idle + Processor.ROUND);
         routine.then(() -> routine.until(() -> brick.tickAfter(REST), () -> exchange(link)));
     }
 
@@ -222,23 +239,20 @@ final class Telephone {
         return message;
     }
 
-    private void send(Link link, int channel) {
-        Mailbox box = outgoing[channel];
+    private void send(Link link, int channel, Mailbox box) {
         routine.call(
                 () -> {
                     routine.loop();
                     if (!box.isEmpty()) {
                         routine.call(() -> pack(channel, box.take()));
                         loopOverBytes();
-                        routine.then(() -> write(link, () -> send(link, channel)));
+                        routine.then(() -> write(link, () -> send(link, channel, box)));
                     }
                 });
     }
 
     private void loopOverBytes() {
-        for (int i = 0; i < PACKET; i++) {
-            routine.loop();
-        }
+        routine.idle(PACKET * Processor.ROUND);
     }
 
     private void pack(int channel, int message) {
