@@ -48,8 +48,11 @@ public final class ImportResolves implements Check.OnUnit {
                         && !each.name().isSimple()
                         && Character.isUpperCase(simple.charAt(0));
         return mayBeClass
-                ? "correct or delete the import, or write 'type %s;' in a class diagram of package '%s' if it is a class of Java"
-                        .formatted(simple, Names.qualifier(each.name().text()))
+                ? "correct or delete the import, or write 'type "
+                        + simple
+                        + ";' in a class diagram of package '"
+                        + Names.qualifier(each.name().text())
+                        + "' if it is a class of Java"
                 : "correct or delete the import";
     }
 }
