@@ -279,10 +279,10 @@ class LivePageTest extends BrowserTest {
         run();
         browser.run(
                 "const world = page.files.find((each) => each.path ==="
-                    + " 'world/meeting.world');world.text = world.text.replace('seconds 22',"
-                    + " 'seconds 5');const avoid = page.files.find((each) => each.path ==="
-                    + " 'coffee/floor/AvoidCrash.arc');avoid.text ="
-                    + " avoid.text.replaceAll('\"driving\"', '\"rolling\"');page.check()");
+                        + " 'world/meeting.world');world.text = world.text.replace('seconds 22',"
+                        + " 'seconds 5');const avoid = page.files.find((each) => each.path ==="
+                        + " 'coffee/floor/AvoidCrash.arc');avoid.text ="
+                        + " avoid.text.replaceAll('\"driving\"', '\"rolling\"');page.check()");
         browser.await(() -> browser.find("#floor .stale").isDisplayed());
         run();
         assertThat(browser.text("#floor [role=status]")).startsWith("5.0 s");
