@@ -55,10 +55,14 @@ class OpenWorldsTest {
     private final Desk desk = new Desk();
 
     private String check(String world, String rover) throws IOException {
+        return ModelTexts.check(desk, texts(world, rover));
+    }
+
+    private static Map<String, String> texts(String world, String rover) throws IOException {
         Map<String, String> texts = new TreeMap<>(ModelTexts.library());
         texts.put("Rover.arc", rover);
         texts.put("yard.world", world);
-        return ModelTexts.check(desk, texts);
+        return texts;
     }
 
     @Test
@@ -105,15 +109,15 @@ class OpenWorldsTest {
 
     @Test
     void whatOnlyJavaTellsIsNamed() throws IOException {
-        String own =
-                "<<platform, layer = \"actuators\">> component Horn { port in Integer tone; }\n\n";
+        String own = "<<platform, layer = \"actuators\">> component Horn { port in Integer tone; }\n";
         String horn =
-                ROVER.replace("<<deploy>>", own + "<<deploy>>")
-                        .replace(
+                ROVER.replace(
                                 "component Mind mind;",
                                 "component Mind mind;\n component Horn horn;")
                         .replace("-> left.speed,", "-> horn.tone, left.speed,");
-        check(WORLD, horn);
+        Map<String, String> texts = texts(WORLD, horn);
+        texts.put("Horn.arc", own);
+        ModelTexts.check(desk, texts);
         assertThat(desk.floor("yard.world", 1))
                 .contains("'Rover' needs Horn, and only Java says what that does");
     }
