@@ -6,11 +6,11 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.world.PrepareWorld;
+import arcomat.pipeline.world.PreparedWorld.Explained;
 import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.page.BrowserTest;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
-import arcomat.world.Recording;
 import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.function.Executable;
@@ -20,6 +20,7 @@ import org.openqa.selenium.WebElement;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** The page that plays a world again, in a browser: play, pause, speed, follow, step. */
 class WorldPageBrowserTest extends BrowserTest {
@@ -32,10 +33,16 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void play() throws WrongUse {
         Session session = Session.in(Path.of(""), Progress.NONE);
-        Recording recording =
+        Explained run =
                 session.run(new PrepareWorld(WORLD, false))
                         .explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK);
-        session.run(new WriteReplay(recording, "the meeting", folder.toString()));
+        session.run(
+                new WriteReplay(
+                        run.recording(),
+                        run.inside(),
+                        Optional.empty(),
+                        "the meeting",
+                        folder.toString()));
         String page = folder.resolve("index.html").toUri().toString();
         browser.open(page, ".floor .robot");
         stepsAndJumps();
