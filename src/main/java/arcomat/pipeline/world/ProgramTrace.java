@@ -17,8 +17,6 @@ import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 
-import org.jspecify.annotations.Nullable;
-
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,10 +39,10 @@ final class ProgramTrace {
     private List<Trace.Activity> activities = new ArrayList<>();
 
     /** Per signal the message that is visible in the slice, or null. */
-    private @Nullable Value[] visible;
+    private Value[] visible;
 
     /** Per signal with delay the message of the next slice, or null. */
-    private @Nullable Value[] registers;
+    private Value[] registers;
 
     ProgramTrace(Component whole, Network network) {
         this.whole = whole;

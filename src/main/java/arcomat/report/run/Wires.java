@@ -34,8 +34,10 @@ final class Wires {
     /** The port that sends what another one carries; itself where nothing leads to it. */
     String sender(String port) {
         String found = port;
-        for (int hops = 0; hops < sources.size() && sources.containsKey(found); hops++) {
-            found = sources.get(found);
+        String next = sources.get(found);
+        for (int hops = 0; hops < sources.size() && next != null; hops++) {
+            found = next;
+            next = sources.get(found);
         }
         return found;
     }

@@ -49,10 +49,80 @@ class WorldPageBrowserTest extends BrowserTest {
         tellsWhyNot();
         plays();
         follows();
+        goesInside();
+        namesAreApart();
         browser.open(page + "?again#7", ".floor .robot");
         assertThat(browser.text("#clock")).startsWith("7.0 s");
         browser.wear("dark");
         browser.picture("world-dark");
+        browser.wear("light");
+        aGhostIsShown(session, run);
+    }
+
+    /** Of the robot that was chosen, at the moment of the floor; and the floor comes along. */
+    private void goesInside() {
+        assertThat(browser.findAll("#inside .choices button"))
+                .extracting(WebElement::getText)
+                .containsExactly("empty", "loaded");
+        browser.press(Keys.HOME);
+        browser.findAll("#inside .choices button").get(1).click();
+        assertThat(browser.findAll("#inside .connector.live")).isNotEmpty();
+        assertThat(browser.findAll("#inside .drawing .state.active")).hasSizeGreaterThan(5);
+        browser.pressWithShift(Keys.ARROW_RIGHT);
+        browser.pressWithShift(Keys.ARROW_RIGHT);
+        assertThat(displays()).containsExactly("driving", "waiting");
+        assertThat(browser.findAll("#inside .drawing .state.active text"))
+                .extracting(WebElement::getText)
+                .contains("waiting");
+        String clock = browser.text("#clock");
+        browser.find("#inside .track .lane").click();
+        assertThat(browser.text("#clock")).isNotEqualTo(clock);
+        browser.picture("world-inside");
+    }
+
+    private static final String WHEN_NAMES_MEET =
+            """
+            const slider = document.getElementById("moment");
+            for (let time = 0; time <= 22000; time += 250) {
+              slider.value = time;
+              slider.dispatchEvent(new Event("input"));
+              const [one, other] = [...document.querySelectorAll(".floor > text")].map((each) => each.getBoundingClientRect());
+              if (one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom) {
+                return time;
+              }
+            }
+            return -1;
+            """;
+
+    private void namesAreApart() {
+        assertThat(browser.run(WHEN_NAMES_MEET)).as("milliseconds").isEqualTo(-1L);
+    }
+
+    private void aGhostIsShown(Session session, Explained run) throws WrongUse {
+        Ghost same = Ghost.read(WorldJson.render(run.recording()), "before").orElseThrow();
+        List<List<Double>> first = same.frames().get(0);
+        List<List<List<Double>>> standing =
+                same.frames().stream().map(each -> first).toList();
+        Ghost other = new Ghost("standing", same.period(), same.robots(), standing);
+        for (Ghost each : List.of(same, other)) {
+            session.run(
+                    new WriteReplay(
+                            run.recording(),
+                            List.of(),
+                            Optional.of(each),
+                            "the meeting",
+                            folder.toString()));
+            String page = folder.resolve("index.html").toUri() + "?" + each.label() + "#7";
+            browser.open(page, ".floor .ghost");
+            assertThat(browser.findAll(".floor .ghost")).hasSize(2);
+            assertThat(browser.find("#inside").isDisplayed()).as("without models").isFalse();
+            assertThat(browser.text(".ghost-note"))
+                    .matches(
+                            each == same
+                                    ? "dashed: before, seed 1; all go the same way"
+                                    : "dashed: standing; they part at 0\\.\\d s");
+        }
+        browser.picture("world-ghost");
     }
 
     private void stepsAndJumps() {
