@@ -228,7 +228,7 @@ class ResultPagesTest {
                 .containsEntry("hall.rings", "hall.rings")
                 .containsEntry("horn.on", "hall.wire.o")
                 .containsEntry("sound", "sound");
-        assertThat(architecture.svg()).contains("data-connector=\"hall.rings -> horn.on\"");
+        assertThat(architecture.svg()).contains("data-connector=\"hall.rings -&gt; horn.on\"");
     }
 
     @Test
