@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What packets between robots mean, as far as models say it: the model library sends a channel and a
- * number of four bytes, and the model of who sends knows which constant that number is.
+ * What packets between robots mean, as far as models say it: the model library sends a channel and
+ * a number of four bytes, and the model of who sends knows which constant that number is.
  */
 public final class PacketWords {
     private static final String LIBRARY = "nxt";

@@ -53,7 +53,9 @@ public final class WorldJson {
                         .with("period", Recording.PERIOD)
                         .with("world", world(recording.world()))
                         .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
-                        .with("events", recording.events().stream().map(each -> of(each, words)).toList())
+                        .with(
+                                "events",
+                                recording.events().stream().map(each -> of(each, words)).toList())
                         .with("failures", failures)
                         .with("idle", idle(recording.idle()))
                         .with("ghost", ghost.map(Ghost::json)));

@@ -59,7 +59,9 @@ public final class WorldPage {
                         "title", SelfContained.escaped(title),
                         "headline", SelfContained.escaped(WorldText.summary(recording)),
                         "tone", recording.succeeded() ? "good" : "bad",
-                        "data", SelfContained.harmless(WorldJson.render(recording, PacketWords.of(inside), ghost)),
+                        "data",
+                                SelfContained.harmless(
+                                        WorldJson.render(recording, PacketWords.of(inside), ghost)),
                         "pictures", PageText.pictures(runs),
                         "inside", PageText.data(runs));
         String style = PageText.runStyle() + SelfContained.join(STYLES);

@@ -101,8 +101,7 @@ class WorldPageBrowserTest extends BrowserTest {
     private void aGhostIsShown(Session session, Explained run) throws WrongUse {
         Ghost same = Ghost.read(WorldJson.render(run.recording()), "before").orElseThrow();
         List<List<Double>> first = same.frames().get(0);
-        List<List<List<Double>>> standing =
-                same.frames().stream().map(each -> first).toList();
+        List<List<List<Double>>> standing = same.frames().stream().map(each -> first).toList();
         Ghost other = new Ghost("standing", same.period(), same.robots(), standing);
         for (Ghost each : List.of(same, other)) {
             session.run(
@@ -163,17 +162,17 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void plays() {
         browser.run("document.activeElement.blur()");
-        browser.press(Keys.HOME, "+", Keys.SPACE);
-        assertThat(browser.text("#play")).isEqualTo("Pause");
+        browser.press(Keys.HOME, "-", Keys.SPACE);
+        browser.await(() -> browser.text("#play").equals("Pause"));
         browser.await(() -> seconds() > 2);
         browser.press(Keys.SPACE);
-        assertThat(browser.text("#play")).isEqualTo("Play");
+        browser.await(() -> browser.text("#play").equals("Play"));
         double stopped = seconds();
         browser.run(
                 "return new Promise((done) => requestAnimationFrame(() =>"
                         + " requestAnimationFrame(done)))");
         assertThat(seconds()).isEqualTo(stopped);
-        assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("2");
+        assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("0.5");
     }
 
     private double seconds() {
