@@ -1,7 +1,9 @@
 // The floor, its robots, what happened, and who plays it: all of them at one moment.
 
 class Stage {
-  constructor(recording) {
+  /** @param beside is shown the same moment */
+  constructor(recording, beside = () => {}) {
+    this.beside = beside;
     this.recording = recording;
     this.floor = new Floor(recording);
     this.player = new Player(recording, (time) => this.show(time));
@@ -13,6 +15,7 @@ class Stage {
     this.floor.show(time);
     this.cards.show(time);
     this.happenings.show(time);
+    this.beside(time);
   }
 
   /** A robot that is followed already is so no more. */
@@ -34,9 +37,7 @@ class Stage {
       "+": () => this.player.faster(1),
       "-": () => this.player.faster(-1),
     };
-    const where = event.target;
-    const isOurs = where.id !== "speed" && !(event.key === " " && where.closest("button, summary, a"));
-    if (isOurs && Object.hasOwn(keys, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+    if (isForThePage(event) && Object.hasOwn(keys, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
       keys[event.key]();
       event.preventDefault();
     }
@@ -47,4 +48,11 @@ class Stage {
     const { player, happenings, recording } = this;
     player.go(toEvent ? happenings.neighbour(player.time, direction) : player.time + direction * recording.period);
   }
+}
+
+/** Only what a button does with a key itself is left to it; so are the choice of speeds, and what is written. */
+function isForThePage(event) {
+  const where = event.target;
+  const isWritten = where instanceof HTMLInputElement && where.type !== "range";
+  return where.id !== "speed" && !isWritten && !(event.key === " " && where.closest("button, summary, a"));
 }

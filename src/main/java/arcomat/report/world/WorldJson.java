@@ -42,6 +42,19 @@ public final class WorldJson {
 
     /** The same before it is a text; its values are numbers, texts, lists and maps of these. */
     public static Fields fields(Recording recording) {
+        return fields(recording, PacketWords.of(List.of()), Optional.empty());
+    }
+
+    /**
+     * @param words what packets mean
+     * @param ghost another run to be shown beside it
+     */
+    static String render(Recording recording, PacketWords words, Optional<Ghost> ghost) {
+        return Json.compact(fields(recording, words, ghost));
+    }
+
+    private static Fields fields(
+            Recording recording, PacketWords words, Optional<Ghost> ghost) {
         Fields failures = new Fields();
         for (Robot robot : recording.world().robots()) {
             failures.with(
@@ -52,9 +65,12 @@ public final class WorldJson {
                 .with("period", Recording.PERIOD)
                 .with("world", world(recording.world()))
                 .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
-                .with("events", recording.events().stream().map(WorldJson::of).toList())
+                .with(
+                        "events",
+                        recording.events().stream().map(each -> of(each, words)).toList())
                 .with("failures", failures)
-                .with("idle", idle(recording.idle()));
+                .with("idle", idle(recording.idle()))
+                .with("ghost", ghost.map(Ghost::json));
     }
 
     /**
@@ -176,7 +192,7 @@ public final class WorldJson {
                 robot.brewing());
     }
 
-    private static Fields of(Event event) {
+    private static Fields of(Event event, PacketWords words) {
         Fields fields = Fields.of("t", event.time());
         return event.match(
                 happened -> {
@@ -192,7 +208,8 @@ public final class WorldJson {
                 sent ->
                         fields.with("what", "SENT")
                                 .with("who", sent.robot())
-                                .with("text", sent.bytes()));
+                                .with("text", sent.bytes())
+                                .with("words", words.of(sent.robot(), sent.bytes())));
     }
 
     private static double rounded(double value) {

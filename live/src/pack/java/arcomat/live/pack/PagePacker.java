@@ -41,6 +41,8 @@ public final class PagePacker {
             List.of(
                     "elements",
                     "replay/recording",
+                    "replay/labels",
+                    "replay/ghost",
                     "replay/floor",
                     "replay/cards",
                     "replay/happenings",
