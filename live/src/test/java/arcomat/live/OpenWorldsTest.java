@@ -109,11 +109,10 @@ class OpenWorldsTest {
 
     @Test
     void whatOnlyJavaTellsIsNamed() throws IOException {
-        String own = "<<platform, layer = \"actuators\">> component Horn { port in Integer tone; }\n";
+        String own =
+                "<<platform, layer = \"actuators\">> component Horn { port in Integer tone; }\n";
         String horn =
-                ROVER.replace(
-                                "component Mind mind;",
-                                "component Mind mind;\n component Horn horn;")
+                ROVER.replace("component Mind mind;", "component Mind mind;\n component Horn horn;")
                         .replace("-> left.speed,", "-> horn.tone, left.speed,");
         Map<String, String> texts = texts(WORLD, horn);
         texts.put("Horn.arc", own);

@@ -53,8 +53,7 @@ public final class WorldJson {
         return Json.compact(fields(recording, words, ghost));
     }
 
-    private static Fields fields(
-            Recording recording, PacketWords words, Optional<Ghost> ghost) {
+    private static Fields fields(Recording recording, PacketWords words, Optional<Ghost> ghost) {
         Fields failures = new Fields();
         for (Robot robot : recording.world().robots()) {
             failures.with(
@@ -65,9 +64,7 @@ public final class WorldJson {
                 .with("period", Recording.PERIOD)
                 .with("world", world(recording.world()))
                 .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
-                .with(
-                        "events",
-                        recording.events().stream().map(each -> of(each, words)).toList())
+                .with("events", recording.events().stream().map(each -> of(each, words)).toList())
                 .with("failures", failures)
                 .with("idle", idle(recording.idle()))
                 .with("ghost", ghost.map(Ghost::json));
