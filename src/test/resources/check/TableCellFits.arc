@@ -39,3 +39,24 @@ component Sides {
 //                         ~~~~~~ error ARC0336: a cell is about one message; write a single one
   }
 }
+
+//// Kinds.arc
+component Kinds {
+  feature fast;
+  port in Boolean left, out Integer speed;
+
+  varif (fast) {
+    table {
+      in left;
+      out speed;
+      | 3 | => | 0 |;
+//      ~ error ARC0336: input port 'left' takes Boolean, but '3' is of type Integer (in Kinds(fast = true))
+    }
+  } else {
+    table {
+      in left;
+      out speed;
+      | true | => | 1 |;
+    }
+  }
+}

@@ -36,7 +36,7 @@ record ForeignText(List<Body> bodies) {
                         .map(each -> each.span().file().path())
                         .collect(Collectors.toSet());
         List<Body> bodies = new ArrayList<>();
-        for (ComponentSymbol component : workspace.components()) {
+        for (ComponentSymbol component : workspace.meantComponents()) {
             if (files.contains(component.unit().file().path())) {
                 for (Behaviour.Foreign each : component.node().elements(Behaviour.Foreign.class)) {
                     Reading reading = component.readings().getOrDefault(each, UNKNOWN);
