@@ -7,9 +7,11 @@ import arcomat.guest.Vicinity.Kind;
 import arcomat.guest.Vicinity.Value;
 import arcomat.source.Span;
 
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -35,9 +37,26 @@ final class Columns {
         List<Column> columns = new ArrayList<>();
         for (Part name : names) {
             Span place = table.part(name.start(), name.end());
-            columns.add(new Column(place, isPort(name.text(), place, side, meaning)));
+            columns.add(new Column(place, isPort(name(name.text()), place, side, meaning)));
         }
         return columns;
+    }
+
+    /** Elements of arrays have names with a plain number, however that is written. */
+    private static String name(String written) {
+        int open = written.indexOf('[');
+        if (open < 0) {
+            return written;
+        }
+        String digits = written.substring(open + 1, written.length() - 1).replace("_", "");
+        String prefix = digits.length() > 1 ? digits.substring(0, 2).toLowerCase(Locale.ROOT) : "";
+        BigInteger index =
+                switch (prefix) {
+                    case "0x" -> new BigInteger(digits.substring(2), 16);
+                    case "0b" -> new BigInteger(digits.substring(2), 2);
+                    default -> new BigInteger(digits);
+                };
+        return written.substring(0, open) + "[" + index + "]";
     }
 
     private boolean isPort(String name, Span place, Kind side, Meaning meaning) {
