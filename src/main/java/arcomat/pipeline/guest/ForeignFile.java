@@ -85,7 +85,7 @@ record ForeignFile(SourceFile file, Reader reader) {
         Optional<Translated> translated = Parser.parse(text.file(), text::origin);
         if (translated.isEmpty()) {
             Diagnostic first = Parser.parse(text.file()).findings().get(0);
-            String line = first.span().file().line(first.span().startPosition().line()).strip();
+            String line = first.span().file().excerpt(first.span().startPosition().line());
             return failed(
                     text.origin(first.span()),
                     "what it made of the file cannot be read: %s in '%s'"
