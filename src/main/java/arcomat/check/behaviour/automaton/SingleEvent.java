@@ -46,7 +46,7 @@ public final class SingleEvent implements Check.OnTransition {
                 place,
                 events.isEmpty()
                         ? "an untimed component does nothing without an event; name the message"
-                              + " that triggers this"
+                                + " that triggers this"
                         : "an untimed component handles one event at a time, but this waits for "
                                 + Wording.quoted(events)
                                 + " at once; write one for each, or mark a port whose last value is"
