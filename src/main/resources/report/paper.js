@@ -55,7 +55,7 @@ class Paper {
     for (const { track, flaws } of this.story.timeline.rows) {
       if (track.group !== group) {
         group = track.group;
-        rows.push(element("div", { class: "group" }, group));
+        rows.push(element("div", { class: group.startsWith(PART) ? "part" : null }, element("div", { class: "group" }, group)));
       }
       const lane = this.lane("lane", LANE.height);
       drawLane(lane, track, view, this.story.colours, flaws);

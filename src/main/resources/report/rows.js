@@ -91,7 +91,7 @@ class Rows {
     const lane = shape("svg", { class: "lane", height: LANE.height, "aria-hidden": "true" });
     const grip = element("span", { class: "grip", title: "Drag to another place (Alt \u2191 \u2193)", "aria-hidden": "true" });
     const name = element("span", { class: "name", title: track.name }, grip, element("span", {}, shortName(track)));
-    const row = element("div", { class: `row track ${track.kind}` }, name, lane);
+    const row = element("div", { class: `row track of-${track.kind}` }, name, lane);
     this.all.set(row, { track, row, lane, flaws: this.flaws.filter((flaw) => flaw.track === track.name) });
     return row;
   }
@@ -196,5 +196,5 @@ function place(one, other, isBehind) {
 function isFolded(row) {
   const own = row.parentElement;
   const folded = row.closest(".folded");
-  return folded !== null && !(folded === own && own.matches(".part") && row.matches(".port") && own.parentElement.closest(".folded") === null);
+  return folded !== null && !(folded === own && own.matches(".part") && row.matches(".of-port") && own.parentElement.closest(".folded") === null);
 }

@@ -159,9 +159,9 @@ function greatest(numbers) {
   return numbers.reduce((one, other) => Math.max(one, other));
 }
 
-/** A name that may be broken behind the suite. */
+/** A name that may be broken behind packages and the suite. */
 function breakable(title) {
-  const parts = title.split(/(?<=#)/);
+  const parts = title.split(/(?<=[#.])/);
   return element("span", {}, ...parts.flatMap((part) => [part, element("wbr")]));
 }
 
