@@ -72,9 +72,10 @@ public final class Workspace {
     /**
      * @param brokenFiles paths of files that did not parse; names that they should define are
      *     excused
+     * @param reader of behaviours that are not read yet
      */
-    public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
-        return of(units, brokenFiles, List.of(), BehaviourReader.NONE);
+    public static Workspace of(List<Unit> units, Set<String> brokenFiles, BehaviourReader reader) {
+        return of(units, brokenFiles, List.of(), reader);
     }
 
     /**
@@ -240,6 +241,11 @@ public final class Workspace {
     /** The types of a qualified name, {@code p.Diagram.Type}. */
     public List<DefinedType> types(String qualifiedName) {
         return List.copyOf(index.types(qualifiedName));
+    }
+
+    /** The types that are reached as {@code p.Type}, without their diagram. */
+    public List<DefinedType> typesOfPackage(String shortName) {
+        return List.copyOf(index.typesOfPackage(shortName));
     }
 
     /** Automata in files of their own. */
