@@ -18,6 +18,11 @@ public final class PageText {
                     "lanes.js",
                     "timeline.js",
                     "moment.js",
+                    "picture/wires.js",
+                    "picture/folds.js",
+                    "picture/finder.js",
+                    "picture/legend.js",
+                    "picture/viewer.js",
                     "pictures.js",
                     "remarks.js",
                     "search.js",
@@ -28,7 +33,13 @@ public final class PageText {
                     "main.js");
 
     private static final List<String> STYLES =
-            List.of("colours.css", "page.css", "timeline.css", "moment.css", "paper.css");
+            List.of(
+                    "colours.css",
+                    "page.css",
+                    "timeline.css",
+                    "moment.css",
+                    "picture/viewer.css",
+                    "paper.css");
 
     private PageText() {}
 

@@ -30,6 +30,11 @@ public final class PagePacker {
                     "address",
                     "editor",
                     "findings",
+                    "picture/wires",
+                    "picture/folds",
+                    "picture/finder",
+                    "picture/legend",
+                    "picture/viewer",
                     "picture",
                     "run",
                     "prove",
@@ -61,11 +66,12 @@ public final class PagePacker {
     }
 
     /**
-     * @param args the folder of the page's sources; the core; style sheets; jars with libraries;
-     *     the file to write
+     * @param args the folders of the page's sources and of those that it shares with reports; the
+     *     core; style sheets; jars with libraries; the file to write
      */
     public static void main(String[] args) throws IOException {
-        Path sources = Path.of(args[0]);
+        List<Path> folders = paths(args[0]);
+        Path sources = folders.get(0);
         List<Path> jars = paths(args[3]);
         StringBuilder styles = new StringBuilder();
         for (Path sheet : paths(args[2])) {
@@ -80,7 +86,7 @@ public final class PagePacker {
         scripts.add("<script id=\"models\" type=\"application/json\">" + example + "</script>");
         scripts.add(kept("licence", read(jars, "codemirror__view", "LICENSE")));
         scripts.add(script("", bundle(jars)));
-        scripts.add(script(" type=\"module\"", modules(sources)));
+        scripts.add(script(" type=\"module\"", modules(folders)));
         String page =
                 Files.readString(sources.resolve("page.html"))
                         .replace("@styles@", styles)
@@ -93,10 +99,10 @@ public final class PagePacker {
     }
 
     /** The modules one after the other, as if they were one; no two define the same name. */
-    private static String modules(Path sources) throws IOException {
+    private static String modules(List<Path> folders) throws IOException {
         StringBuilder all = new StringBuilder();
         for (String name : MODULES) {
-            String text = Files.readString(sources.resolve(name + ".js"));
+            String text = Files.readString(module(name + ".js", folders));
             all.append(
                     text.lines()
                             .filter(line -> !line.startsWith("import "))
@@ -108,6 +114,14 @@ public final class PagePacker {
                             .collect(Collectors.joining("\n", "", "\n")));
         }
         return all.toString();
+    }
+
+    private static Path module(String name, List<Path> folders) {
+        return folders.stream()
+                .map(folder -> folder.resolve(name))
+                .filter(Files::exists)
+                .findFirst()
+                .orElseThrow(() -> new IllegalStateException("there is no module " + name));
     }
 
     /** Libraries as functions that are called where somebody first asks for them. */
