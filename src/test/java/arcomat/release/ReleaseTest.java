@@ -197,6 +197,21 @@ class ReleaseTest {
         }
     }
 
+    @Test
+    void isAContainerIfABuilderIsThereAndCanFetchWhatItStandsOn() throws Exception {
+        String builder = isThere("podman") ? "podman" : "docker";
+        assumeTrue(isThere(builder) && run(builder, "info").status() == 0, "podman or docker");
+        String base = Files.readString(OFFERED.resolve("Containerfile"));
+        base = base.substring(base.indexOf("\nFROM ") + 6).lines().findFirst().orElseThrow();
+        assumeTrue(run(builder, "pull", base).status() == 0, base);
+        String file = OFFERED.resolve("Containerfile").toString();
+        String name = "arcomat-rehearsal";
+        Outcome built = run(builder, "build", "-t", name, "-f", file, OFFERED.toString());
+        assertThat(built.status()).as(built.output()).isZero();
+        Outcome version = run(builder, "run", "--rm", name, "--version");
+        assertThat(version.output()).startsWith("arcomat ");
+    }
+
     private static boolean isThere(String program) {
         return Stream.of(System.getenv("PATH").split(File.pathSeparator))
                 .anyMatch(each -> Files.isExecutable(Path.of(each, program)));
