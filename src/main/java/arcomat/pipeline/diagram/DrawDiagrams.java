@@ -45,7 +45,12 @@ public record DrawDiagrams(
         implements ModelQuestion<List<String>> {
     @Override
     public Asked asked() {
-        return Asked.components(components);
+        return components.isEmpty() ? Asked.WHAT_IS_WHOLE : Asked.components(components);
+    }
+
+    @Override
+    public boolean goesOnWithoutErrors() {
+        return true;
     }
 
     /**
