@@ -48,7 +48,7 @@ final class ComponentHead {
     /** Without the package and the components around it; type arguments stay. */
     static String simpleName(String name) {
         int arguments = name.indexOf('<');
-        int end = arguments < 0 ? name.length() : arguments;
-        return name.substring(name.lastIndexOf('.', end) + 1);
+        String plain = arguments < 0 ? name : name.substring(0, arguments);
+        return name.substring(plain.lastIndexOf('.') + 1);
     }
 }
