@@ -6,6 +6,7 @@ const player = new Player(recording, (time) => {
   floor.show(time);
   cards.show(time);
   happenings.show(time);
+  inside.show(time);
 });
 const happenings = new Happenings(recording.events, (time) => player.go(time));
 const cards = new Cards(recording, (number) => {
@@ -14,10 +15,18 @@ const cards = new Cards(recording, (number) => {
   cards.follow(followed);
   player.go(player.time);
 });
+const inside = new Inside(JSON.parse(document.getElementById("inner").textContent).stories, (time) => player.go(time));
 document.getElementById("scene").append(floor.svg);
 document.getElementById("player").append(...player.elements());
+if (floor.ghost !== null) {
+  document.getElementById("stage").append(floor.ghost.note);
+}
 document.getElementById("robots").append(...cards.cards.map((each) => each.card));
 document.getElementById("events").append(element("h2", {}, "What happened"), happenings.list);
+document.getElementById("inside").append(inside.element);
+document.getElementById("inside").hidden = inside.stories.length === 0;
+inside.begin();
+listenToPrinters(inside);
 
 const KEYS = {
   " ": () => player.toggle(),
@@ -32,10 +41,13 @@ const KEYS = {
 /** A button that was clicked keeps the focus: only what it does with a key itself is left to it, and the choice of speeds. */
 function isOurs(event) {
   const where = event.target;
-  return where.id !== "speed" && !(event.key === " " && where.closest("button, summary, a"));
+  const isWritten = where instanceof HTMLInputElement && where.type !== "range";
+  return where.id !== "speed" && !isWritten && !(event.key === " " && where.closest("button, summary, a"));
 }
 document.addEventListener("keydown", (event) => {
-  if (isOurs(event) && Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+  if (isOurs(event) && inside.key(event)) {
+    event.preventDefault();
+  } else if (isOurs(event) && Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
     KEYS[event.key](event.shiftKey);
     event.preventDefault();
   }

@@ -87,7 +87,8 @@ final class WorldRecorder implements Witness {
                 Refusing own = refusing.get(robot.name());
                 if (own != null) {
                     int now = (int) (time / VirtualTime.MILLISECOND);
-                    own.entered(object, method).ifPresent(said -> note(now, robot.name(), said));
+                    own.entered(now, object, method)
+                            .ifPresent(said -> note(now, robot.name(), said));
                 }
             }
 

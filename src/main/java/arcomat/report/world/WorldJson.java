@@ -34,6 +34,14 @@ public final class WorldJson {
     private WorldJson() {}
 
     public static String render(Recording recording) {
+        return render(recording, PacketWords.of(List.of()), Optional.empty());
+    }
+
+    /**
+     * @param words what packets mean
+     * @param ghost another run to be shown beside it
+     */
+    static String render(Recording recording, PacketWords words, Optional<Ghost> ghost) {
         Fields failures = new Fields();
         for (Robot robot : recording.world().robots()) {
             failures.with(
@@ -45,9 +53,12 @@ public final class WorldJson {
                         .with("period", Recording.PERIOD)
                         .with("world", world(recording.world()))
                         .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
-                        .with("events", recording.events().stream().map(WorldJson::of).toList())
+                        .with(
+                                "events",
+                                recording.events().stream().map(each -> of(each, words)).toList())
                         .with("failures", failures)
-                        .with("idle", idle(recording.idle())));
+                        .with("idle", idle(recording.idle()))
+                        .with("ghost", ghost.map(Ghost::json)));
     }
 
     /**
@@ -169,7 +180,7 @@ public final class WorldJson {
                 robot.brewing());
     }
 
-    private static Fields of(Event event) {
+    private static Fields of(Event event, PacketWords words) {
         Fields fields = Fields.of("t", event.time());
         return event.match(
                 happened -> {
@@ -185,7 +196,8 @@ public final class WorldJson {
                 sent ->
                         fields.with("what", "SENT")
                                 .with("who", sent.robot())
-                                .with("text", sent.bytes()));
+                                .with("text", sent.bytes())
+                                .with("words", words.of(sent.robot(), sent.bytes())));
     }
 
     private static double rounded(double value) {

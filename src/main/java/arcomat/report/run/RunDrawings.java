@@ -2,6 +2,7 @@ package arcomat.report.run;
 
 import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.diagram.AutomatonGraph;
+import arcomat.diagram.ComponentGraph;
 import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
 import arcomat.model.Automaton;
@@ -17,9 +18,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Pictures of automata beside runs; each automaton is laid out once. */
-public final class AutomatonDrawing {
+/** Pictures beside runs, of automata and of architectures; each is laid out once. */
+public final class RunDrawings {
+    /** More parts than that are not told apart in a picture beside a run. */
+    private static final int MOST_PARTS = 40;
+
+    private static final int DEEPEST = 3;
+
     private final Map<Automaton, String> pictures = new IdentityHashMap<>();
+    private final Map<Component, String> architectures = new IdentityHashMap<>();
 
     /**
      * @param tracks that are marked in it
@@ -27,6 +34,33 @@ public final class AutomatonDrawing {
     public Drawing of(String title, Component component, Automaton automaton, List<String> tracks) {
         String svg = pictures.computeIfAbsent(automaton, each -> picture(component, each));
         return new Drawing(title, svg, tracks);
+    }
+
+    /**
+     * A component with its parts, as deep as they have room.
+     *
+     * @param carried by their paths, the tracks that say what ports carry
+     */
+    Drawing parts(Component component, Map<String, String> carried) {
+        String svg = architectures.computeIfAbsent(component, RunDrawings::picture);
+        return new Drawing(component.qualifiedName(), svg, List.of(), carried);
+    }
+
+    private static String picture(Component component) {
+        int depth = 1;
+        while (depth < DEEPEST && parts(component, depth + 1) <= MOST_PARTS) {
+            depth++;
+        }
+        return SvgText.embedded(LayeredLayout.of(ComponentGraph.of(component, depth)));
+    }
+
+    /** How many there are, down to a level. */
+    private static int parts(Component component, int depth) {
+        return depth > 0 && component.body() instanceof Component.Composite composite
+                ? composite.parts().stream()
+                        .mapToInt(part -> 1 + parts(part.component(), depth - 1))
+                        .sum()
+                : 0;
     }
 
     private static String picture(Component component, Automaton automaton) {
