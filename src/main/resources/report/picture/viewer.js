@@ -53,6 +53,7 @@ class PictureViewer {
   /** Another picture of the same thing: it is seen as the one before was. */
   renew(svg) {
     const { scrollLeft, scrollTop } = this.window;
+    const focused = this.window.contains(document.activeElement) && document.activeElement.closest("[data-part]");
     this.svg = svg;
     this.pinned = null;
     this.wires = new Wires(svg);
@@ -72,6 +73,9 @@ class PictureViewer {
       this.window.scrollTo(scrollLeft, scrollTop);
     }
     this.finder.find(this.search.value);
+    if (focused) {
+      (svg.querySelector(`[data-part="${CSS.escape(focused.dataset.part)}"] > .fold`) || this.window).focus();
+    }
   }
 
   tool(name) {
