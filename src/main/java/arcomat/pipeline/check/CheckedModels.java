@@ -41,7 +41,7 @@ public record CheckedModels(
     /** Checks models for their own sake. */
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
-        Workspace workspace = workspace(loaded, session);
+        Workspace workspace = examined(loaded, session);
         return of(loaded, workspace, review(loaded, workspace, profile, session));
     }
 
