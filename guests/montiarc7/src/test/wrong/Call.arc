@@ -3,6 +3,6 @@ component Call {
 
   automaton {
     initial state S;
-    S -> S [a.isEmpty()] / { b = a.length(); log(a); };
+    S -> S [a.isEmpty()] / { b = a.length(); log(a); a.concat(a); };
   }
 }

@@ -9,6 +9,9 @@ import java.util.Arrays;
  * columns count from 1. The text is kept exactly as read but for a byte order mark.
  */
 public final class SourceFile {
+    /** How many characters of a line a message quotes; made by a guest, it may be all of a file. */
+    private static final int LONGEST_EXCERPT = 80;
+
     private final String path;
     private final String text;
     private int @Nullable [] lineStarts;
@@ -38,6 +41,16 @@ public final class SourceFile {
     /** The text of a line (from 1) without its line break. */
     public String line(int line) {
         return text.substring(lineStart(line), lineEnd(line));
+    }
+
+    /** What a message quotes of a line (from 1); of a long one the beginning. */
+    public String excerpt(int line) {
+        String all = line(line).strip();
+        if (all.length() <= LONGEST_EXCERPT) {
+            return all;
+        }
+        boolean isSplit = Character.isHighSurrogate(all.charAt(LONGEST_EXCERPT - 1));
+        return all.substring(0, LONGEST_EXCERPT - (isSplit ? 1 : 0)) + "...";
     }
 
     /** The offset at which a line (from 1) ends, in front of its line break. */

@@ -27,6 +27,7 @@ element
     | 'init' block                                                          # initElement
     | 'feature' name (',' name)* ';'                                        # featureElement
     | 'constraint' '(' expression ')' ';'                                   # constraintElement
+    | ('--' | '-')* kind=('pre' | 'post') ':' expression ';'                # conditionElement
     | ('varif' | 'if') '(' expression ')' element ('else' element)?         # variationElement
     | 'timing' name ';'                                                     # timingElement
     | ('autoconnect' | 'autoinstantiate') name ';'                          # autoElement
@@ -40,7 +41,8 @@ element
 portDeclaration: mark* direction=('in' | 'out') mark* type mark* name (',' mark* name)*;
 mark: stereo | 'sync' | 'timed' | 'untimed' | 'delayed';
 stereo: '<' '<' stereoValue (',' stereoValue)* '>' '>';
-stereoValue: name ('=' literal)?;
+stereoValue: name ('=' said)?;
+said: '-'? literal | qname | '[' (said (',' said)*)? ']' | skipped;
 portReference: name ('.' name)?;
 variable: name ('=' expression)?;
 field: name '=' expression;
@@ -49,7 +51,7 @@ type: qname typeArguments? ('[' ']')*;
 typeArguments: '<' (type | '?') (',' (type | '?'))* '>';
 
 machineElement
-    : stereo* beginning? 'final'? beginning? 'state' name ('{' machineElement* '}')? ';'?                      # stateElement
+    : stereo* beginning? 'final'? beginning? 'state' name ('[' expression ']')? ('{' machineElement* '}')? ';'? # stateElement
     | kind=('entry' | 'exit' | 'do') '/' statement ';'?                               # actionElement
     | stereo* qname '->' qname reaction                                               # transitionElement
     | stereo* '->' reaction                                                           # innerTransitionElement
@@ -105,6 +107,7 @@ literal: Number | Text | Letter | 'true' | 'false' | 'null';
 name
     : Name | 'in' | 'out' | 'port' | 'sync' | 'timed' | 'untimed' | 'delayed' | 'mode' | 'automaton' | 'compute' | 'init'
     | 'mapping' | 'inputMap' | 'outputMap' | 'stateMap' | 'feature' | 'constraint' | 'timing' | 'autoconnect' | 'autoinstantiate' | 'state' | 'initial' | 'entry' | 'exit'
+    | 'pre' | 'post'
     ;
 
 Number: [0-9] [0-9_]* ('.' [0-9]+)? ([eE] [+-]? [0-9]+)? [lLfFdD]? | '0' [xX] [0-9a-fA-F]+ [lL]?;

@@ -3,6 +3,7 @@ package montiarc7;
 import montiarc7.MontiArc7Parser.AssignStatementContext;
 import montiarc7.MontiArc7Parser.BlockContext;
 import montiarc7.MontiArc7Parser.BlockStatementContext;
+import montiarc7.MontiArc7Parser.CallExpressionContext;
 import montiarc7.MontiArc7Parser.CallStatementContext;
 import montiarc7.MontiArc7Parser.EmptyStatementContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
@@ -106,6 +107,13 @@ final class ActionWriter {
                 }
             }
             return text.append(";\n").toString();
+        } else if (statement instanceof CallStatementContext call && isOutside(call.expression())) {
+            scope.lacks()
+                    .note(
+                            Lack.OUTSIDE,
+                            statement,
+                            "this call is left out: what it does is done outside of the model");
+            return "";
         }
         String what = statement instanceof CallStatementContext ? "call" : "statement";
         scope.lacks()
@@ -115,6 +123,22 @@ final class ActionWriter {
                         "this %s cannot be said in Arcomat, whose actions have assignments, local variables and 'if'"
                                 .formatted(what));
         return "";
+    }
+
+    /** Whether a method of a class is called, and not one of an object that the model holds. */
+    private static boolean isOutside(ExpressionContext call) {
+        return call instanceof CallExpressionContext made
+                && made.expression(0) instanceof MemberExpressionContext member
+                && root(member) instanceof NameExpressionContext name
+                && Character.isUpperCase(name.getText().codePointAt(0));
+    }
+
+    private static ExpressionContext root(MemberExpressionContext member) {
+        ExpressionContext at = member;
+        while (at instanceof MemberExpressionContext inner) {
+            at = inner.expression();
+        }
+        return at;
     }
 
     private String choice(IfStatementContext choice) {

@@ -4,6 +4,7 @@ import montiarc7.MontiArc7Parser.AutoElementContext;
 import montiarc7.MontiArc7Parser.AutomatonElementContext;
 import montiarc7.MontiArc7Parser.ComponentContext;
 import montiarc7.MontiArc7Parser.ComputeElementContext;
+import montiarc7.MontiArc7Parser.ConditionElementContext;
 import montiarc7.MontiArc7Parser.ConnectorElementContext;
 import montiarc7.MontiArc7Parser.ConstraintElementContext;
 import montiarc7.MontiArc7Parser.ElementContext;
@@ -13,8 +14,10 @@ import montiarc7.MontiArc7Parser.GroupElementContext;
 import montiarc7.MontiArc7Parser.InitElementContext;
 import montiarc7.MontiArc7Parser.InnerElementContext;
 import montiarc7.MontiArc7Parser.InstanceElementContext;
+import montiarc7.MontiArc7Parser.LiteralExpressionContext;
 import montiarc7.MontiArc7Parser.ModesElementContext;
 import montiarc7.MontiArc7Parser.NameContext;
+import montiarc7.MontiArc7Parser.ParameterContext;
 import montiarc7.MontiArc7Parser.PortDeclarationContext;
 import montiarc7.MontiArc7Parser.PortsElementContext;
 import montiarc7.MontiArc7Parser.TypeParameterContext;
@@ -26,6 +29,7 @@ import org.antlr.v4.runtime.tree.ParseTree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /** One component in Arcomat's words. */
@@ -37,6 +41,7 @@ final class ComponentWriter {
     private final Lacks lacks;
     private final Variants variants;
     private final Features features;
+    private final Switches switches;
     private final Scope scope;
 
     ComponentWriter(
@@ -52,6 +57,7 @@ final class ComponentWriter {
         this.lacks = lacks;
         this.variants = new Variants(component, lacks);
         this.features = new Features(component, lacks);
+        this.switches = new Switches(component);
         types.enter(component);
         this.scope = scope(List.of());
     }
@@ -74,9 +80,7 @@ final class ComponentWriter {
         if (hasInner()) {
             written.append("autoinstantiate off;\n");
         }
-        for (ElementContext each : component.element()) {
-            written.append(text.comments(each)).append(element(each, List.of()));
-        }
+        written.append(elements(component.element(), List.of()));
         variants.elements().stream()
                 .filter(each -> each.element() instanceof InitElementContext)
                 .filter(each -> !variants.goOn(each))
@@ -106,22 +110,15 @@ final class ComponentWriter {
                             .map(this::typeParameter)
                             .collect(Collectors.joining(", ", "<", ">")));
         }
-        if (component.parameters() != null) {
-            head.append(
-                    component.parameters().parameter().stream()
-                            .map(
-                                    each ->
-                                            types.message(each.type())
-                                                    + " "
-                                                    + each.name().getText()
-                                                    + (each.expression() == null
-                                                            ? ""
-                                                            : " = "
-                                                                    + new ExpressionWriter(scope)
-                                                                            .write(
-                                                                                    each
-                                                                                            .expression())))
-                            .collect(Collectors.joining(", ", "(", ")")));
+        List<String> parameters =
+                component.parameters() == null
+                        ? List.of()
+                        : component.parameters().parameter().stream()
+                                .filter(each -> !switches.isOne(each))
+                                .map(this::parameter)
+                                .toList();
+        if (!parameters.isEmpty()) {
+            head.append("(").append(String.join(", ", parameters)).append(")");
         }
         if (component.parent().size() > 1) {
             lacks.missing(
@@ -129,20 +126,53 @@ final class ComponentWriter {
         }
         if (!component.parent().isEmpty()) {
             var parent = component.parent(0);
+            if (folder.component(parent.type().qname().getText())
+                    .filter(ComponentWriter::hasSwitches)
+                    .isPresent()) {
+                lacks.missing(
+                        Lack.VARIABILITY,
+                        parent,
+                        "'%s' has variants, which a component that extends it cannot choose"
+                                .formatted(parent.type().getText()));
+            }
             head.append(" extends ")
                     .append(types.component(parent.type()))
                     .append(parts(scope).given(parent.arguments()));
         }
-        return head.append(" {\n").toString();
+        head.append(" {\n");
+        if (!switches.names().isEmpty()) {
+            String all = String.join(", ", new TreeSet<>(switches.names()));
+            head.append("feature ").append(all).append(";\n");
+        }
+        return head.toString();
+    }
+
+    private static boolean hasSwitches(ComponentContext component) {
+        return !new Switches(component).names().isEmpty();
+    }
+
+    private String parameter(ParameterContext parameter) {
+        String declared = types.message(parameter.type()) + " " + parameter.name().getText();
+        if (parameter.expression() instanceof LiteralExpressionContext literal
+                && types.isOpaque(parameter.type())) {
+            lacks.missing(
+                    Lack.EXPRESSION,
+                    literal,
+                    "'%s' is no value of '%s', which is defined in no class diagram here; give it to the parts, or use another type"
+                            .formatted(literal.getText(), parameter.type().getText()));
+        }
+        return parameter.expression() == null
+                ? declared
+                : declared + " = " + new ExpressionWriter(scope).write(parameter.expression());
     }
 
     private String typeParameter(TypeParameterContext parameter) {
         String name = parameter.name().getText();
-        return parameter.type().isEmpty()
-                ? name
-                : parameter.type().stream()
-                        .map(types::message)
-                        .collect(Collectors.joining(" & ", name + " extends ", ""));
+        String bounds =
+                parameter.type().stream()
+                        .flatMap(each -> types.bound(each).stream())
+                        .collect(Collectors.joining(" & "));
+        return bounds.isEmpty() ? name : name + " extends " + bounds;
     }
 
     private PartWriter parts(Scope here) {
@@ -174,6 +204,11 @@ final class ComponentWriter {
                     .collect(Collectors.joining(", ", "feature ", ";\n"));
         } else if (element instanceof ConstraintElementContext constraint) {
             return features.constraint(constraint);
+        } else if (element instanceof ConditionElementContext condition) {
+            lacks.note(
+                    Lack.UNCHECKED,
+                    condition.expression(),
+                    "this condition is left out: runs of the converted model do not check it");
         } else if (element instanceof ModesElementContext) {
             lacks.missing(
                     Lack.MODES,
@@ -185,7 +220,7 @@ final class ComponentWriter {
     }
 
     private String elements(List<ElementContext> elements, List<Side> sides) {
-        return elements.stream()
+        return FieldOrder.of(elements).stream()
                 .map(each -> text.comments(each) + element(each, sides))
                 .collect(Collectors.joining());
     }
@@ -263,7 +298,7 @@ final class ComponentWriter {
     }
 
     private String inner(ComponentContext inner) {
-        if (!Features.of(inner).isEmpty()) {
+        if (!Features.of(inner).isEmpty() || hasSwitches(inner)) {
             lacks.missing(
                     Lack.VARIABILITY,
                     inner.name(0),

@@ -34,7 +34,8 @@ final class Features {
     private final Map<String, Map<String, ExpressionContext>> chosen = new LinkedHashMap<>();
 
     Features(ComponentContext component, Lacks lacks) {
-        this.own = of(component);
+        this.own = new TreeSet<>(of(component));
+        own.addAll(new Switches(component).names());
         this.lacks = lacks;
         for (Placed each : Placed.of(component.element())) {
             if (each.element() instanceof ConstraintElementContext constraint) {
@@ -71,6 +72,18 @@ final class Features {
                                 .formatted(part, feature, feature));
             }
             condition.ifPresent(each -> all.add(feature + " = " + choice(each)));
+        }
+        Switches switches = new Switches(type);
+        for (String each : new TreeSet<>(switches.names())) {
+            switches.value(each, given)
+                    .ifPresentOrElse(
+                            value -> all.add(each + " = " + condition(value)),
+                            () ->
+                                    lacks.missing(
+                                            Lack.VARIABILITY,
+                                            place,
+                                            "nothing says what '%s' of '%s' is; give it"
+                                                    .formatted(each, part)));
         }
         return all;
     }

@@ -15,7 +15,9 @@ enum Lack {
     START("MONT0011"),
     NEVER("MONT0012"),
     MAP("MONT0013"),
-    MAP_NOTE("MONT0014");
+    MAP_NOTE("MONT0014"),
+    OUTSIDE("MONT0015"),
+    UNCHECKED("MONT0016");
 
     private final String code;
 

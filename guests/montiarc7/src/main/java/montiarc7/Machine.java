@@ -85,6 +85,13 @@ final class Machine {
         for (MachineElementContext each : elements) {
             if (each instanceof StateElementContext state) {
                 State added = new State(state, around);
+                if (state.expression() != null) {
+                    lacks.note(
+                            Lack.UNCHECKED,
+                            state.expression(),
+                            "what is to hold in '%s' is left out: runs of the converted model do not check it"
+                                    .formatted(added.name));
+                }
                 states.add(added);
                 around.ifPresent(outer -> outer.inner.add(added));
                 add(state.machineElement(), Optional.of(added));

@@ -1,5 +1,6 @@
 package montiarc7;
 
+import montiarc7.MontiArc7Parser.ArgumentContext;
 import montiarc7.MontiArc7Parser.ArgumentsContext;
 import montiarc7.MontiArc7Parser.ComponentContext;
 import montiarc7.MontiArc7Parser.InstanceContext;
@@ -28,7 +29,7 @@ final class PartWriter {
         for (InstanceContext each : parts.instance()) {
             ArgumentsContext own = each.arguments() == null ? parts.arguments() : each.arguments();
             String name = each.name().getText();
-            List<String> given = arguments(own);
+            List<String> given = arguments(own, known.map(Switches::new));
             known.ifPresent(
                     component -> given.addAll(features.arguments(name, component, own, each)));
             written.append("component ").append(type).append(inBrackets(given));
@@ -39,22 +40,19 @@ final class PartWriter {
 
     /** What a component gives to the one that it extends. */
     String given(ArgumentsContext arguments) {
-        return inBrackets(arguments(arguments));
+        return inBrackets(arguments(arguments, Optional.empty()));
     }
 
-    private List<String> arguments(ArgumentsContext arguments) {
+    /** Those that set no switch. */
+    private List<String> arguments(ArgumentsContext arguments, Optional<Switches> switches) {
         List<String> all = new ArrayList<>();
-        if (arguments != null) {
-            arguments
-                    .argument()
-                    .forEach(
-                            each ->
-                                    all.add(
-                                            (each.name() == null
-                                                            ? ""
-                                                            : each.name().getText() + " = ")
-                                                    + new ExpressionWriter(scope)
-                                                            .write(each.expression())));
+        for (int i = 0; arguments != null && i < arguments.argument().size(); i++) {
+            ArgumentContext each = arguments.argument(i);
+            int place = i;
+            if (switches.filter(known -> known.isFor(each, place)).isEmpty()) {
+                String name = each.name() == null ? "" : each.name().getText() + " = ";
+                all.add(name + new ExpressionWriter(scope).write(each.expression()));
+            }
         }
         return all;
     }

@@ -76,7 +76,15 @@ final class Timing {
     private static List<String> words(MarkContext mark) {
         return mark.stereo() == null
                 ? List.of(mark.getText())
-                : mark.stereo().stereoValue().stream().map(each -> each.name().getText()).toList();
+                : mark.stereo().stereoValue().stream()
+                        .map(each -> each.name().getText())
+                        .flatMap(each -> meaning(each).stream())
+                        .toList();
+    }
+
+    /** A word of older models means two of today. */
+    private static List<String> meaning(String word) {
+        return word.equals("causalsync") ? List.of("sync", "delayed") : List.of(word);
     }
 
     /** Whether steps are events; slices else. */

@@ -95,21 +95,46 @@ final class TypeNames {
                     type,
                     "arrays are not converted; use a port or a field for each element");
         }
+        return known(type).orElseGet(() -> opaque(type, plain(type)));
+    }
+
+    /** Whether nobody here knows what a type has for values. */
+    boolean isOpaque(TypeContext type) {
+        return known(type).isEmpty();
+    }
+
+    /** What arguments of a type parameter have to be; nothing where nobody here knows the type. */
+    Optional<String> bound(TypeContext type) {
+        Optional<String> known = known(type);
+        if (known.isEmpty()) {
+            lacks.note(
+                    Lack.OPAQUE,
+                    type,
+                    "'%s' is defined in no class diagram here; it is left out, and any type may stand for the parameter"
+                            .formatted(type.getText()));
+        }
+        return known;
+    }
+
+    /** A type of Arcomat, of a class diagram, or that a parameter stands for. */
+    private Optional<String> known(TypeContext type) {
         String name = type.qname().getText();
-        String plain = name.substring(name.lastIndexOf('.') + 1);
+        String plain = plain(type);
         String own = name.equals(plain) || name.startsWith("java.lang.") ? OWN.get(plain) : null;
         if (own != null) {
-            return own;
+            return Optional.of(own);
         }
         if (parameters.contains(name)) {
-            return name;
+            return Optional.of(name);
         }
         Optional<String> known = diagram(name);
-        if (known.isPresent()) {
-            imports.add(known.get() + "." + plain);
-            return plain;
-        }
-        return opaque(type, plain);
+        known.ifPresent(each -> imports.add(each + "." + plain));
+        return known.map(each -> plain);
+    }
+
+    private static String plain(TypeContext type) {
+        String name = type.qname().getText();
+        return name.substring(name.lastIndexOf('.') + 1);
     }
 
     private String opaque(TypeContext type, String plain) {

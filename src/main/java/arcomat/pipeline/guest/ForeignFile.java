@@ -79,7 +79,7 @@ record ForeignFile(SourceFile file, Reader reader) {
         Parsed parsed = Parser.parse(text.file());
         if (parsed.unit().isEmpty()) {
             Diagnostic first = parsed.findings().get(0);
-            String line = first.span().file().line(first.span().startPosition().line()).strip();
+            String line = first.span().file().excerpt(first.span().startPosition().line());
             return failed(
                     text.origin(first.span()),
                     "what it made of the file cannot be read: %s in '%s'"

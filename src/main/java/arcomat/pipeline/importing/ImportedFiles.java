@@ -51,16 +51,25 @@ record ImportedFiles(Map<String, String> texts, List<Diagnostic> findings) {
                 continue;
             }
             Formatted formatted = Formatter.format(new SourceFile(file.path(), file.text()));
-            if (formatted.text().isEmpty()) {
-                Diagnostic first = formatted.findings().get(0);
-                String line = first.span().file().line(first.span().startPosition().line()).strip();
-                String reason = "cannot be read: %s in '%s'".formatted(first.message(), line);
-                findings.add(wrong(kind, file, reason));
-            } else {
+            if (formatted.text().isPresent()) {
                 texts.put(file.path(), formatted.text().get());
+            } else if (isCopied(file)) {
+                findings.addAll(Formatter.format(file.original()).findings());
+            } else {
+                findings.add(wrong(kind, file, unreadable(formatted.findings().get(0))));
             }
         }
         return new ImportedFiles(texts, findings);
+    }
+
+    /** What is wrong with a copy is wrong with the original, and no guest's fault. */
+    private static boolean isCopied(Written file) {
+        return file.text().equals(file.original().text());
+    }
+
+    private static String unreadable(Diagnostic first) {
+        String line = first.span().file().excerpt(first.span().startPosition().line());
+        return "cannot be read: %s in '%s'".formatted(first.message(), line);
     }
 
     private static Diagnostic finding(Kind kind, Finding finding) {

@@ -1,0 +1,9 @@
+package mill;
+
+testsuite GearsTest for mill.Gears {
+    test areCalculated {
+        expect {
+            turns: <18, Tk>;
+        }
+    }
+}

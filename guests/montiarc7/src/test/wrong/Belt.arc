@@ -1,0 +1,3 @@
+component Belt(boolean slow) {
+  varif (slow) { port sync in int a; }
+}

@@ -1,0 +1,1 @@
+component Heir extends Belt(true) { }
