@@ -63,3 +63,46 @@ component Brand {
     counting {tick == true} / {other = sum};
   }
 }
+
+//// GoodSilent.arc
+component GoodSilent {
+  port in Boolean tick, out Integer count;
+
+  Integer sum, limit;
+}
+
+//// BadHeir.arc
+component BadHeir extends GoodSilent {
+//                        ~~~~~~~~~~ error ARC0128: 'limit' of 'GoodSilent' is written by no automaton of this component, so it is a constant and needs a value
+  automaton {
+    state counting;
+    initial counting;
+    counting [sum < limit] {tick == true} / {sum = sum + 1, count = sum};
+  }
+}
+
+//// GoodHeir.arc
+component GoodHeir extends GoodSilent {
+  automaton {
+    state counting;
+    initial counting / {limit = 3};
+    counting [sum < limit] {tick == true} / {sum = sum + 1, count = sum};
+  }
+}
+
+//// GoodSilentHeir.arc
+component GoodSilentHeir extends GoodSilent {
+  String name;
+}
+
+//// BelowHeir.arc
+component BelowHeir extends BadHeir {
+}
+
+//// Reads.arc
+component Reads {
+  port in Boolean tick, out Integer count;
+
+  Integer limit, twice = 2 * limit;
+//        ~~~~~ error ARC0128: 'limit' is written by no automaton of the component, so it is a constant and needs a value
+}

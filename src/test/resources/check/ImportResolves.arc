@@ -13,7 +13,7 @@ import types.Tipes.*;
 import sensors.*;
 //     ~~~~~~~ error ARC0121: there is no package, class diagram or component 'sensors'; correct or delete the import
 import sensors.Sonar;
-//     ~~~~~~~~~~~~~ error ARC0121: there is no component or type 'sensors.Sonar'; correct or delete the import
+//     ~~~~~~~~~~~~~ error ARC0121: there is no component or type 'sensors.Sonar'; correct or delete the import, or write 'type Sonar;' in a class diagram of package 'sensors' if it is a class of Java
 component Bad {
   port in MoterCmd cmd, in Distance distance;
   component Sonar sonar;
@@ -23,5 +23,12 @@ component Bad {
 package p;
 import types.Types.MotorCmd;
 component Good {
+  port in MotorCmd cmd;
+}
+
+//// p/GoodWithoutDiagram.arc
+package p;
+import types.MotorCmd;
+component GoodWithoutDiagram {
   port in MotorCmd cmd;
 }

@@ -5,7 +5,7 @@ classdiagram Types {
   class Cup { Integr volume; }
 //            ~~~~~~ error ARC0120: there is no type 'Integr'; did you mean 'Integer'?
   class Mug extends Cap { Cup inner; }
-//                  ~~~ error ARC0120: there is no type 'Cap'; define it in a class diagram, or import it
+//                  ~~~ error ARC0120: there is no type 'Cap'; did you mean 'Cup'?
 }
 
 //// q/Types.cd
@@ -107,4 +107,15 @@ component Hidden {
 //                               ~~~ warning ARC0108: input 'two' leads to no part; connect it
   component Process {
   }
+}
+
+//// n/Kinds.cd
+package n;
+classdiagram Kinds { type Parcel; }
+
+//// n/Misspelled.arc
+package n;
+component Misspelled {
+  port in Parcell arrived;
+//        ~~~~~~~ error ARC0120: there is no type 'Parcell'; did you mean 'Parcel'?
 }

@@ -242,6 +242,11 @@ public final class Workspace {
         return List.copyOf(index.types(qualifiedName));
     }
 
+    /** The types that are reached as {@code p.Type}, without their diagram. */
+    public List<DefinedType> typesOfPackage(String shortName) {
+        return List.copyOf(index.typesOfPackage(shortName));
+    }
+
     /** Automata in files of their own. */
     public List<AutomatonSymbol> bareAutomata() {
         return List.copyOf(bareAutomata);

@@ -73,11 +73,21 @@ public final class VisibleNames {
         for (BuiltinType type : BuiltinType.values()) {
             names.add(type.text());
         }
-        context.workspace().outlines().stream()
-                .flatMap(file -> file.types().stream())
-                .filter(type -> isReached(type, context))
-                .forEach(type -> names.add(Outline.simple(type)));
+        for (Outline file : context.workspace().outlines()) {
+            file.types().stream()
+                    .filter(
+                            type ->
+                                    isReached(type, context)
+                                            || isReachedByPackage(file, type, context))
+                    .forEach(type -> names.add(Outline.simple(type)));
+        }
         return names;
+    }
+
+    /** Without its diagram. */
+    private static boolean isReachedByPackage(Outline file, String type, Context context) {
+        return !file.packageName().isEmpty()
+                && isReached(Names.join(file.packageName(), Outline.simple(type)), context);
     }
 
     /** What an import could name: packages do not count. */

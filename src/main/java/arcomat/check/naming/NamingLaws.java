@@ -26,6 +26,7 @@ public final class NamingLaws {
                     error("ARC0203", new StateDeclaredOnce()),
                     warning("ARC0211", new StateNamesCapitalisedAlike()).needing(ALL),
                     warning("ARC0209", new TypeNameCapitalised()),
+                    warning("ARC0218", new TypeParameterHidden()),
                     error("ARC0202", new TypeParametersUnique()),
                     error("ARC0212", new VariableDeclaredOnce()),
                     error("ARC0205", new VariableUnlikePort()));

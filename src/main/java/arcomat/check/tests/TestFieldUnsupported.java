@@ -15,13 +15,7 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
         for (TestSuite.Member member : suite.node().members()) {
             if (member instanceof TestSuite.Field field && !isKnown(field, suite)) {
-                findings.report(
-                        member,
-                        "nobody knows the value of this field before the tests are run, so it is"
-                                + " not used; give it a literal that no Java block changes, or give"
-                                + " the tested component its values as arguments, as in"
-                                + " 'for %s(3)'",
-                        suite.node().component());
+                report(field, suite, findings);
             }
             for (TestSuite.Before before : member.before()) {
                 findings.report(
@@ -33,8 +27,34 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
         }
     }
 
+    private static void report(TestSuite.Field field, TestSuiteSymbol suite, Findings findings) {
+        if (isNamed(field, suite)) {
+            String name = field.variables().get(0).name().text();
+            findings.report(
+                    field,
+                    "whatever Java gives this field, it stands for a message of its own, as if"
+                            + " '%s(\"%s\")' were written; fields that should be equal are one"
+                            + " field",
+                    field.type().name(),
+                    name);
+            return;
+        }
+        findings.report(
+                field,
+                "nobody knows the value of this field before the tests are run, so it is not used;"
+                        + " give it a literal that no Java block changes, or give the tested"
+                        + " component its values as arguments, as in 'for %s(3)'",
+                suite.node().component());
+    }
+
     private static boolean isKnown(TestSuite.Field field, TestSuiteSymbol suite) {
         List<Variable> known = suite.fields().stream().map(VariableSymbol::node).toList();
         return known.containsAll(field.variables());
+    }
+
+    /** Whether each is a message that is known by its name alone. */
+    private static boolean isNamed(TestSuite.Field field, TestSuiteSymbol suite) {
+        List<String> known = suite.fields().stream().map(VariableSymbol::name).toList();
+        return field.variables().stream().map(each -> each.name().text()).allMatch(known::contains);
     }
 }

@@ -133,7 +133,7 @@ public final class Walk {
         }
         expressions.arguments(suite.arguments(), context);
         for (TestSuite.Member member : suite.node().members()) {
-            if (member instanceof TestSuite.Field field) {
+            if (member instanceof TestSuite.Field field && !isForJava(field)) {
                 expressions.type(field.type(), context);
             }
         }
@@ -141,6 +141,11 @@ public final class Walk {
         for (StreamTestSymbol test : suite.tests()) {
             streamTest(test, context);
         }
+    }
+
+    /** No message is an array, so that no test can name the field: that it has no effect is told. */
+    private static boolean isForJava(TestSuite.Field field) {
+        return field.type().dimensions() > 0;
     }
 
     private void streamTest(StreamTestSymbol test, Context context) {

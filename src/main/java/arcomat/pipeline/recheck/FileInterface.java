@@ -1,5 +1,6 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Outline;
 
 import java.util.ArrayList;
@@ -31,10 +32,15 @@ record FileInterface(List<List<String>> offers, Set<String> mentions, Set<String
         List<List<String>> offers = new ArrayList<>();
         names.components().stream().findFirst().map(FileInterface::words).ifPresent(offers::add);
         names.diagram().map(FileInterface::words).ifPresent(offers::add);
+        names.types().forEach(type -> offers.add(words(withoutDiagram(names, type))));
         for (String component : names.components()) {
             claims.add(javaClass(names.packageName(), component));
         }
         return new FileInterface(offers, file.mentions(), claims);
+    }
+
+    private static String withoutDiagram(Outline names, String type) {
+        return Names.join(names.packageName(), Outline.simple(type));
     }
 
     /** The parts of a qualified name. */
@@ -47,7 +53,10 @@ record FileInterface(List<List<String>> offers, Set<String> mentions, Set<String
         return packageName.substring(packageName.lastIndexOf('.') + 1) + ALL;
     }
 
-    /** What a file without a tree might define is excused, and so are imports of its folder. */
+    /**
+     * What a file without a tree might define is excused, and so are imports of its folder. Types
+     * of a diagram are found by the name of their package alone.
+     */
     private static List<List<String>> brokenOffers(String path) {
         int slash = path.lastIndexOf('/');
         int dot = path.lastIndexOf('.');
@@ -56,7 +65,11 @@ record FileInterface(List<List<String>> offers, Set<String> mentions, Set<String
         offers.add(List.of(name.substring(slash + 1)));
         int last = name.lastIndexOf('.');
         if (last >= 0) {
-            offers.add(List.of(allOf(name.substring(0, last))));
+            String folder = name.substring(0, last);
+            offers.add(List.of(allOf(folder)));
+            if (path.endsWith(".cd")) {
+                offers.add(List.of(Outline.simple(folder)));
+            }
         }
         return offers;
     }

@@ -1,12 +1,15 @@
 package arcomat.symbols.bodies;
 
+import arcomat.source.Span;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.OpaqueSymbol;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Expression;
+import arcomat.tree.Name;
 import arcomat.tree.TestSuite;
 import arcomat.tree.TestSuite.Before;
 import arcomat.tree.TestSuite.Field;
@@ -14,9 +17,14 @@ import arcomat.tree.Variable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 
-/** The fields of a suite whose value is known although nothing is run before its tests. */
+/**
+ * The fields of a suite whose value is known although nothing is run before its tests. Of an opaque
+ * type is any of them: nobody looks into such a message, so that each field stands for one of its
+ * own, called like the field.
+ */
 record SuiteFields(TestSuite suite, ValueScope scope) {
 
     List<VariableSymbol> known() {
@@ -25,24 +33,61 @@ record SuiteFields(TestSuite suite, ValueScope scope) {
             if (member instanceof Field field) {
                 Resolution<TypeSymbol> type = scope.type(field.type());
                 for (Variable each : field.variables()) {
-                    if (isConstant(each, type) && !isTouched(each) && isSole(each)) {
-                        known.add(
-                                new VariableSymbol(
-                                        VariableSymbol.Kind.SUITE,
-                                        each,
-                                        type,
-                                        ExpressionTyping.at(scope)));
-                    }
+                    node(each, field, type)
+                            .filter(node -> isSole(each))
+                            .map(node -> symbol(node, type))
+                            .ifPresent(known::add);
                 }
             }
         }
         return List.copyOf(known);
     }
 
+    private VariableSymbol symbol(Variable node, Resolution<TypeSymbol> type) {
+        return new VariableSymbol(
+                VariableSymbol.Kind.SUITE,
+                node,
+                type,
+                (value, expected) -> ExpressionTyping.message(value, scope, expected));
+    }
+
+    private Optional<Variable> node(Variable each, Field field, Resolution<TypeSymbol> type) {
+        if (isConstant(each, type) && !isTouched(each)) {
+            return Optional.of(each);
+        }
+        return type.found().orElse(null) instanceof OpaqueSymbol && field.type().name().isSimple()
+                ? Optional.of(withMessage(each, field.type().name().last()))
+                : Optional.empty();
+    }
+
+    /** As if the message were written, as {@code Parcel("first")} for {@code first}. */
+    private static Variable withMessage(Variable field, Name type) {
+        Span span = field.name().span();
+        Expression text =
+                new Expression.Literal(
+                        span, Expression.Literal.Kind.STRING, '"' + field.name().text() + '"');
+        Expression message =
+                new Expression.Call(
+                        span, Optional.empty(), new Name(span, type.text()), List.of(text));
+        return new Variable(field.span(), field.name(), Optional.of(message));
+    }
+
     private static boolean isConstant(Variable field, Resolution<TypeSymbol> type) {
         return field.initial()
-                .filter(value -> isLiteral(value) || isConstant(value, type))
+                .filter(
+                        value ->
+                                isLiteral(value)
+                                        || isConstant(value, type)
+                                        || isMessage(value, type))
                 .isPresent();
+    }
+
+    /** {@code Parcel("first")}, or {@code Cup(5)} of what is literal again. */
+    private static boolean isMessage(Expression value, Resolution<TypeSymbol> type) {
+        return value instanceof Expression.Call call
+                && call.target().isEmpty()
+                && type.found().filter(each -> call.name().text().equals(each.text())).isPresent()
+                && call.arguments().stream().allMatch(SuiteFields::isLiteral);
     }
 
     private static boolean isLiteral(Expression value) {

@@ -26,6 +26,11 @@ public abstract sealed class DefinedType implements TypeSymbol
         return qualifiedName;
     }
 
+    /** {@code package.Type}, as for a class of Java. */
+    final String shortName() {
+        return Names.join(unit.packageText(), text());
+    }
+
     @Override
     public final String text() {
         return node().name().text();

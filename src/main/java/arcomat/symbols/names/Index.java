@@ -10,12 +10,17 @@ import java.util.Set;
 /** Everything that has a qualified name, duplicates included. Filled once, then only read. */
 public final class Index {
     private final Map<String, List<DefinedType>> types = new HashMap<>();
+    private final Map<String, List<DefinedType>> typesOfPackages = new HashMap<>();
     private final Map<String, List<ComponentDeclaration>> components = new HashMap<>();
     private final Set<String> qualifiers = new HashSet<>();
     private final Map<String, List<String>> brokenByName = new HashMap<>();
+    private final Set<String> foldersOfBrokenDiagrams = new HashSet<>();
 
     public void add(DefinedType type) {
         types.computeIfAbsent(type.qualifiedName(), name -> new ArrayList<>(1)).add(type);
+        if (type.unit().packageName().isPresent()) {
+            typesOfPackages.computeIfAbsent(type.shortName(), name -> new ArrayList<>(1)).add(type);
+        }
     }
 
     public void add(ComponentDeclaration component) {
@@ -46,6 +51,9 @@ public final class Index {
         String simple = dot < 0 ? name : name.substring(0, dot);
         int slash = path.lastIndexOf('/');
         String folder = slash < 0 ? "" : path.substring(0, slash).replace('/', '.');
+        if (path.endsWith(".cd")) {
+            foldersOfBrokenDiagrams.add(folder);
+        }
         brokenByName
                 .computeIfAbsent(simple, n -> new ArrayList<>(1))
                 .add(Names.join(folder, simple));
@@ -53,6 +61,11 @@ public final class Index {
 
     public List<DefinedType> types(String qualifiedName) {
         return types.getOrDefault(qualifiedName, List.of());
+    }
+
+    /** The types of all diagrams of a named package that are reached without their diagram. */
+    public List<DefinedType> typesOfPackage(String shortName) {
+        return typesOfPackages.getOrDefault(shortName, List.of());
     }
 
     public List<ComponentDeclaration> components(String qualifiedName) {
@@ -87,7 +100,18 @@ public final class Index {
         return brokenByName.values().stream()
                 .flatMap(List::stream)
                 .map(Names::qualifier)
-                .anyMatch(
-                        folder -> folder.equals(packageName) || folder.endsWith("." + packageName));
+                .anyMatch(folder -> mayHold(folder, packageName));
+    }
+
+    /** Whether a type of that name, without its diagram, may stand in a file that did not parse. */
+    boolean isExcusedType(String shortName) {
+        String packageName = Names.qualifier(shortName);
+        return !packageName.isEmpty()
+                && foldersOfBrokenDiagrams.stream()
+                        .anyMatch(folder -> mayHold(folder, packageName));
+    }
+
+    private static boolean mayHold(String folder, String packageName) {
+        return folder.equals(packageName) || folder.endsWith("." + packageName);
     }
 }

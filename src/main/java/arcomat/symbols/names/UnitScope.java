@@ -16,12 +16,15 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
  * What the names in one file reach. A name is looked for, and the first place that has it wins: the
  * class diagram itself, imports of that very name, the package of the file, the built-in types, the
- * name as fully qualified, imports with a wildcard. For {@code a.b.C} the first part decides.
+ * name as fully qualified, imports with a wildcard. For {@code a.b.C} the first part decides. A
+ * type that is not found like this is looked for without its diagram, as if it were a class of
+ * Java.
  */
 public final class UnitScope {
     private final Unit unit;
@@ -59,8 +62,18 @@ public final class UnitScope {
             return new Resolution.Found<>(JavaTypes.named(java.get()));
         }
         Resolution<TypeSymbol> defined = lookUp(name, index::types).map(type -> type);
-        return defined.isUnknown() && component(name).isUnknown()
-                ? Resolution.of(javaInSight(name))
+        return defined.isUnknown() && component(name).isUnknown() ? otherwise(name) : defined;
+    }
+
+    /** What nothing has by its full name. */
+    private Resolution<TypeSymbol> otherwise(QualifiedName name) {
+        List<TypeSymbol> java = javaInSight(name).map(JavaTypes::named).toList();
+        if (!java.isEmpty()) {
+            return Resolution.of(java);
+        }
+        Resolution<TypeSymbol> defined = lookUp(name, index::typesOfPackage).map(type -> type);
+        return defined.isUnknown()
+                ? Resolution.of(javaOfOlderTools(name).map(JavaTypes::named))
                 : defined;
     }
 
@@ -68,15 +81,29 @@ public final class UnitScope {
      * What a name means to Java where nothing else has it: a type of its packages that are imported
      * as a whole, and of {@code java.lang}.
      */
-    private List<TypeSymbol> javaInSight(QualifiedName name) {
+    private Stream<String> javaInSight(QualifiedName name) {
         return Stream.concat(
                         Stream.of("java.lang"),
                         wildcardImports.get().stream().map(each -> each.name().text()))
                 .distinct()
                 .map(each -> Names.join(each, name.text()))
-                .filter(JavaTypes::isKnown)
-                .map(JavaTypes::named)
-                .toList();
+                .filter(JavaTypes::isKnown);
+    }
+
+    /** Older tools saw all of {@code java.util} without an import. */
+    private static Optional<String> javaOfOlderTools(QualifiedName name) {
+        return Optional.of(Names.join("java.util", name.text())).filter(JavaTypes::isKnown);
+    }
+
+    /** The full name of a type of Java that only older tools see without an import. */
+    public Optional<String> missingImport(QualifiedName name) {
+        Optional<String> assumed = javaOfOlderTools(name);
+        return assumed.isPresent()
+                        && javaInSight(name).findAny().isEmpty()
+                        && type(name).equals(new Resolution.Found<>(JavaTypes.named(assumed.get())))
+                        && importOf(name).isEmpty()
+                ? assumed
+                : Optional.empty();
     }
 
     /** A type as written, with its range; outside of components there are no type parameters. */
@@ -95,13 +122,15 @@ public final class UnitScope {
      */
     public Resolution<QualifiedName> target(Import imported) {
         String name = imported.name().text();
-        if (imported.wildcard() ? leadsSomewhere(name) : exists(name)) {
+        if (imported.wildcard() ? leadsSomewhere(name) : exists(name) || isShort(name)) {
             return new Resolution.Found<>(imported.name());
         }
         boolean excused =
                 JavaTypes.isJava(name)
                         || index.isExcused(name)
-                        || imported.wildcard() && index.hasBrokenFileIn(name);
+                        || (imported.wildcard()
+                                ? index.hasBrokenFileIn(name)
+                                : index.isExcusedType(name));
         return excused ? Resolution.excused() : Resolution.unknown();
     }
 
@@ -141,9 +170,21 @@ public final class UnitScope {
         if (exists(Names.join(unit.packageText(), name.text()))) {
             return Optional.empty();
         }
+        String first = Names.first(name);
+        return wildcard(first, this::exists).or(() -> wildcardOfPackage(first));
+    }
+
+    private Optional<Import> wildcard(String first, Predicate<String> known) {
         return wildcardImports.get().stream()
-                .filter(i -> exists(Names.join(i.name().text(), Names.first(name))))
+                .filter(i -> known.test(Names.join(i.name().text(), first)))
                 .findFirst();
+    }
+
+    /** In the own package, no import is needed for a type without its diagram. */
+    private Optional<Import> wildcardOfPackage(String first) {
+        return isShort(Names.join(unit.packageText(), first))
+                ? Optional.empty()
+                : wildcard(first, this::isShort);
     }
 
     private boolean exists(String name) {
@@ -151,6 +192,11 @@ public final class UnitScope {
                 || !index.components(name).isEmpty()
                 || index.isQualifier(name)
                 || JavaTypes.isKnown(name);
+    }
+
+    /** Whether types have that name without their diagram. */
+    private boolean isShort(String name) {
+        return !index.typesOfPackage(name).isEmpty();
     }
 
     /** The enumeration constant that {@code Enum.CONST}, qualified or not, stands for. */

@@ -68,12 +68,20 @@ final class NamePlaces {
                 .forEach(each -> found.putIfAbsent(each.span().start(), each));
     }
 
-    /** A path whose last name stands for something; those in front stand for what it lies in. */
+    /**
+     * A path whose last name stands for something; those in front stand for what it lies in. The
+     * diagram of a type may be left out.
+     */
     void path(List<Name> names, Referent last) {
         Optional<Referent> current = Optional.of(last);
         for (int i = names.size() - 1; i >= 0 && current.isPresent(); i--) {
-            add(names.get(i).span(), current.get(), Role.REFERS);
-            current = current.get().around();
+            Name name = names.get(i);
+            if (current.get() instanceof Referent.Diagram diagram
+                    && !name.text().equals(diagram.name())) {
+                current = diagram.around();
+            }
+            current.ifPresent(each -> add(name.span(), each, Role.REFERS));
+            current = current.flatMap(Referent::around);
         }
     }
 

@@ -61,6 +61,9 @@ public final class Occurrences {
         workspace.diagrams().stream()
                 .filter(each -> each.qualifiedName().equals(name))
                 .forEach(each -> named.add(Referent.diagramOf(each.unit(), each.node())));
+        if (named.isEmpty() && !imported.wildcard()) {
+            workspace.typesOfPackage(name).forEach(each -> named.add(new Referent.Type(each)));
+        }
         if (named.isEmpty() && scope.target(imported).isFound()) {
             return Referent.ofPackage(name);
         }

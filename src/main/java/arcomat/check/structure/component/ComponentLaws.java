@@ -27,6 +27,7 @@ public final class ComponentLaws {
                     error("ARC0140", new FieldOfOneAutomaton()),
                     error("ARC0141", new FieldReadEarly()),
                     error("ARC0113", new InheritanceAcyclic()),
+                    error("ARC0148", new InheritedParameterUnchanged()),
                     error("ARC0114", new InheritedPortUnchanged()),
                     warning("ARC0132", new InvariantUnevaluated()).needing(ALL),
                     warningThenError("ARC0127", new JavaPartUnsupported()),

@@ -2,6 +2,7 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
+import arcomat.symbols.names.Names;
 import arcomat.tree.Unit;
 import arcomat.tree.Unit.Import;
 
@@ -36,6 +37,22 @@ public final class ImportResolves implements Check.OnUnit {
                 kinds + name + "'",
                 name,
                 VisibleNames.qualified(context.workspace()),
-                "correct or delete the import");
+                advice(each));
+    }
+
+    /** Nobody knows whether a class of Java was meant, but its package can say what it is. */
+    private static String advice(Import each) {
+        String simple = each.name().last().text();
+        boolean mayBeClass =
+                !each.wildcard()
+                        && !each.name().isSimple()
+                        && Character.isUpperCase(simple.charAt(0));
+        return mayBeClass
+                ? "correct or delete the import, or write 'type "
+                        + simple
+                        + ";' in a class diagram of package '"
+                        + Names.qualifier(each.name().text())
+                        + "' if it is a class of Java"
+                : "correct or delete the import";
     }
 }
