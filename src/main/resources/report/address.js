@@ -1,5 +1,5 @@
 // The address says what is to be seen, for others and for later: #17 is the slice, #17/cmd the chosen row as well, and
-// #17/cmd/waits the run where there are several.
+// #17/cmd/p.DoorTest#waits, or only #17/cmd/waits, the run where there are several.
 
 /** Browsers forbid to change it all the time. */
 const PAUSE = 300;
@@ -16,7 +16,7 @@ class Address {
   open() {
     const [step, row, run] = location.hash.slice(1).split("/").map(decoded);
     const stories = this.stories;
-    const index = stories.data.findIndex((story) => story.title === run);
+    const index = stories.data.findIndex((story) => story.title === run || story.title.endsWith("#" + run));
     if (index >= 0 && index !== stories.index) {
       stories.show(index);
     }
@@ -25,7 +25,7 @@ class Address {
       return;
     }
     if (row) {
-      story.select(story.timeline.tracks.find((track) => track.name === row) || null);
+      story.select(story.timeline.find(row));
     }
     if (/^\d+$/.test(step)) {
       story.go(Number(step));

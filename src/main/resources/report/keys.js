@@ -4,7 +4,10 @@ const KEYS = [
   ["\u2190 \u2192", "one step back, one step on"],
   ["Shift \u2190 \u2192", "to the change before, to the next change: of the chosen row, or of any"],
   ["Home End", "to the first step, to the last"],
+  ["Space", "play, pause"],
   ["\u2191 \u2193", "choose a row"],
+  ["Alt \u2191 \u2193", "move the chosen row up or down"],
+  ["z Z", "fold the part of the chosen row, or unfold it; all groups"],
   ["Escape", "choose none"],
   ["+ \u2212 0", "larger, smaller, the whole run"],
   ["/", "find a value: fwd, or cmd = fwd"],
@@ -18,8 +21,13 @@ const KEYS = [
 const ACTIONS = {
   ArrowLeft: (story, shift) => (shift ? story.toChange(-1) : story.go(story.cursor - 1)),
   ArrowRight: (story, shift) => (shift ? story.toChange(1) : story.go(story.cursor + 1)),
+  "Alt ArrowUp": (story) => story.move(-1),
+  "Alt ArrowDown": (story) => story.move(1),
   ArrowUp: (story) => story.selectNext(-1),
   ArrowDown: (story) => story.selectNext(1),
+  " ": (story) => story.play.toggle(),
+  z: (story) => story.fold(),
+  Z: (story) => story.timeline.groups.foldAll(),
   Home: (story) => story.go(0),
   End: (story) => story.go(story.length - 1),
   Escape: (story) => story.select(null),
@@ -35,12 +43,11 @@ const ACTIONS = {
 };
 
 /** They move the page or a list unless the timeline has the focus. */
-const ONLY_IN_TIMELINE = new Set(["ArrowUp", "ArrowDown", "Home", "End"]);
+const ONLY_IN_TIMELINE = new Set(["ArrowUp", "ArrowDown", "Alt ArrowUp", "Alt ArrowDown", "Home", "End"]);
 
 function listenToKeys(stories) {
   document.addEventListener("keydown", (event) => {
-    const writing = event.target instanceof HTMLInputElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || writing || document.getElementById("help").open) {
+    if (event.ctrlKey || event.metaKey || isForItself(event) || document.getElementById("help").open) {
       return;
     }
     if (handle(event, stories)) {
@@ -49,9 +56,14 @@ function listenToKeys(stories) {
   });
 }
 
+/** What is written into a field or chosen from a list is nobody else's, and space presses the button that it is at. */
+function isForItself(event) {
+  return event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement || (event.key === " " && event.target.closest("button") !== null);
+}
+
 /** Whether the key means something here. */
 function handle(event, stories) {
-  const key = event.key;
+  const key = event.altKey ? "Alt " + event.key : event.key;
   if (key === "?") {
     showHelp();
   } else if (key === "[" || key === "]") {

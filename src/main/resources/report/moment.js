@@ -18,7 +18,7 @@ class Moment {
     for (const track of this.story.tracks.filter((each) => each.kind !== "path")) {
       if (track.group !== group) {
         group = track.group;
-        body = element("tbody", {}, element("tr", {}, element("th", { colspan: 3, scope: "rowgroup" }, group)));
+        body = element("tbody", {}, element("tr", {}, element("th", { colspan: 3, scope: "rowgroup", class: group.startsWith(PART) ? "part" : null }, group)));
         table.append(body);
       }
       body.append(track.kind === "reason" ? this.reason(track) : this.row(track));
@@ -30,7 +30,7 @@ class Moment {
     const value = element("td", { class: "value" });
     const since = element("td", { class: "since" });
     this.rows.push({ track, value, since });
-    return element("tr", { class: track.kind }, element("th", { scope: "row" }, track.name), value, since);
+    return element("tr", { class: track.kind }, element("th", { scope: "row", title: track.name }, shortName(track)), value, since);
   }
 
   reason(track) {

@@ -51,10 +51,15 @@ class Paper {
     const ruler = this.lane("ruler", 27);
     ruler.append(...rulerShapes(view, this.story));
     const rows = [this.row(this.story.unit, ruler)];
+    let group = "";
     for (const { track, flaws } of this.story.timeline.rows) {
+      if (track.group !== group) {
+        group = track.group;
+        rows.push(element("div", { class: group.startsWith(PART) ? "part" : null }, element("div", { class: "group" }, group)));
+      }
       const lane = this.lane("lane", LANE.height);
       drawLane(lane, track, view, this.story.colours, flaws);
-      rows.push(this.row(track.name, lane));
+      rows.push(this.row(shortName(track), lane));
     }
     return element("div", { class: "timeline piece" }, ...rows);
   }

@@ -13,14 +13,18 @@ class Pictures {
       const figure = element("figure", {}, element("figcaption", {}, drawing.title), element("div", { class: "drawing" }, svg));
       figure.style.flexBasis = svg.getAttribute("width") + "px";
       svg.style.minWidth = Math.round(svg.getAttribute("width") * SMALLEST) + "px";
-      return { figure, svg, tracks };
+      const carried = drawing.carried === undefined ? null : new Carried(svg, drawing.carried, story.tracks);
+      return { figure, svg, tracks, carried };
     });
     const figures = this.all.map((each) => each.figure);
-    this.element = element("section", { class: "pictures", "aria-label": "Automata", hidden: figures.length === 0 }, ...figures);
+    this.element = element("section", { class: "pictures", "aria-label": "Architecture and automata", hidden: figures.length === 0 }, ...figures);
   }
 
   show(step) {
-    for (const { svg, tracks } of this.all) {
+    for (const { svg, tracks, carried } of this.all) {
+      if (carried !== null) {
+        carried.show(step);
+      }
       for (const marked of svg.querySelectorAll(".active, .left, .stuck")) {
         marked.classList.remove("active", "left", "stuck");
       }

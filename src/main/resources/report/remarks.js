@@ -28,3 +28,9 @@ function excerpt(remark) {
   );
   return element("div", { class: "excerpt" }, element("span", { class: "place" }, remark.place), element("pre", {}, ...lines));
 }
+
+/** What was asked, what that means, and what to try next. */
+function facts(story) {
+  const rows = story.facts.flatMap(({ label, text }) => [element("dt", {}, label), element("dd", {}, text)]);
+  return element("dl", { class: "facts", "aria-label": "The question", hidden: rows.length === 0 }, ...rows);
+}

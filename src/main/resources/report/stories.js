@@ -2,9 +2,10 @@
 
 class Story {
   /** @param moved is told when another step or row is shown */
-  constructor(data, colours, moved) {
+  constructor(data, colours, arrangement, moved) {
     Object.assign(this, data);
     this.moved = moved;
+    this.arrangement = arrangement;
     this.tracks = data.tracks.map((track) => new Track(track));
     this.flaws.sort((one, other) => one.at - other.at);
     this.cursor = this.flaws.length > 0 ? this.flaws[0].at : 0;
@@ -20,10 +21,10 @@ class Story {
   show(place) {
     const go = (step) => this.go(step);
     const parts = [element("h2", {}, this.title), element("p", { class: "headline " + this.tone, hidden: this.headline === "" }, this.headline)];
-    parts.push(remarks(this, go));
+    parts.push(facts(this), remarks(this, go));
     this.pictures = new Pictures(this);
     if (this.length > 0) {
-      this.timeline = new Timeline(this, this.colours, { go, select: (track) => this.select(track) });
+      this.timeline = new Timeline(this, this.colours, this.arrangement, { go, select: (track) => this.select(track) });
       this.moment = new Moment(this, this.colours, go);
       this.search = new Search(this, (steps) => this.found(steps), go);
       this.paper = new Paper(this);
@@ -48,9 +49,18 @@ class Story {
       onchange: () => this.go(Number(this.number.value)),
     });
     this.time = element("span", { class: "time" });
+    this.play = new Play(this);
     return element(
       "div",
       { class: "toolbar", role: "toolbar", "aria-label": "Run" },
+      ...this.tools(),
+    );
+  }
+
+  tools() {
+    const last = this.length - 1;
+    return [
+      element("span", { class: "play" }, ...this.play.elements),
       element(
         "span",
         { class: "buttons" },
@@ -62,15 +72,19 @@ class Story {
         button("\u25b8|", "Last (End)", () => this.go(last)),
       ),
       element("label", { class: "where" }, this.unit, this.number, ` of 0\u2013${last}`, this.time),
-      element(
-        "span",
-        { class: "buttons" },
-        button("\u2212", "Show more of the run (-)", () => this.timeline.zoom(1 / 1.6)),
-        button("+", "Show less of it, larger (+)", () => this.timeline.zoom(1.6)),
-        button("all", "Show the whole run (0)", () => this.timeline.showAll()),
-      ),
+      this.zooms(),
       this.search.element,
       button("?", "Keys (?)", () => showHelp(), { class: "help" }),
+    ];
+  }
+
+  zooms() {
+    return element(
+      "span",
+      { class: "buttons" },
+      button("\u2212", "Show more of the run (-)", () => this.timeline.zoom(1 / 1.6)),
+      button("+", "Show less of it, larger (+)", () => this.timeline.zoom(1.6)),
+      button("all", "Show the whole run (0)", () => this.timeline.showAll()),
     );
   }
 
@@ -117,6 +131,19 @@ class Story {
     this.select(tracks[next] || null);
   }
 
+  /** Puts the chosen row elsewhere. */
+  move(direction) {
+    if (this.selected !== null) {
+      this.timeline.move(this.selected, direction);
+    }
+  }
+
+  fold() {
+    if (this.selected !== null) {
+      this.timeline.groups.foldAround(this.selected);
+    }
+  }
+
   found(steps) {
     this.timeline.found = steps;
     this.search.arrive = true;
@@ -132,9 +159,9 @@ function greatest(numbers) {
   return numbers.reduce((one, other) => Math.max(one, other));
 }
 
-/** A name that may be broken behind the suite. */
+/** A name that may be broken behind packages and the suite. */
 function breakable(title) {
-  const parts = title.split(/(?<=#)/);
+  const parts = title.split(/(?<=[#.])/);
   return element("span", {}, ...parts.flatMap((part) => [part, element("wbr")]));
 }
 
@@ -144,12 +171,14 @@ class Stories {
     const colours = new Colours();
     this.data = data;
     this.colours = colours;
+    this.arrangement = new Arrangement();
     this.place = document.getElementById("story");
     this.list = document.getElementById("stories");
     const first = data.findIndex((story) => story.tone === "bad");
     if (data.length > 1) {
       this.buildList();
     }
+    this.place.addEventListener("click", (event) => this.giveBack(event));
     this.show(Math.max(0, first));
   }
 
@@ -175,7 +204,7 @@ class Stories {
       return;
     }
     this.index = index;
-    this.current = new Story(this.data[index], this.colours, () => this.moved());
+    this.current = new Story(this.data[index], this.colours, this.arrangement, () => this.moved());
     this.current.show(this.place);
     if (this.items) {
       this.items.forEach((item, each) => item.setAttribute("aria-current", each === index));
@@ -183,6 +212,14 @@ class Stories {
     }
     const timeline = document.getElementById("timeline");
     if (timeline !== null) {
+      timeline.focus({ preventScroll: true });
+    }
+  }
+
+  /** A pointer that has used a button leaves the keys to the timeline; who goes from button to button by keys stays there. */
+  giveBack(event) {
+    const timeline = document.getElementById("timeline");
+    if (timeline !== null && event.detail > 0 && event.target.closest("button") !== null && !document.getElementById("help").open) {
       timeline.focus({ preventScroll: true });
     }
   }

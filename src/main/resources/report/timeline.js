@@ -4,14 +4,15 @@ const OVERVIEW = 26;
 
 class Timeline {
   /** @param actions of the story: go(step), select(row) */
-  constructor(story, colours, actions) {
+  constructor(story, colours, arrangement, actions) {
     this.story = story;
     this.colours = colours;
     this.actions = actions;
     this.view = new View(story.length);
     this.found = [];
-    this.tracks = story.tracks.filter((track) => track.kind !== "reason" && track.kind !== "path");
     this.redraw = onceAFrame(() => this.draw());
+    const shown = story.tracks.filter((track) => track.kind !== "reason" && track.kind !== "path");
+    this.groups = new Rows(shown, story.flaws, arrangement, this.redraw);
     this.element = this.build();
     this.isFresh = true;
     new ResizeObserver(() => this.measure()).observe(this.ruler);
@@ -19,16 +20,7 @@ class Timeline {
 
   build() {
     this.ruler = shape("svg", { class: "ruler", "aria-hidden": "true" });
-    this.rows = [];
-    const body = element("div", { class: "rows", onscroll: this.redraw });
-    let group = null;
-    for (const track of this.tracks) {
-      if (track.group !== group) {
-        group = track.group;
-        body.append(element("div", { class: "group" }, group));
-      }
-      body.append(this.row(track));
-    }
+    const body = this.groups.element;
     this.body = body;
     this.cursor = element("div", { class: "cursor" });
     this.window = element("div", { class: "lanes-window" }, this.cursor);
@@ -50,13 +42,18 @@ class Timeline {
     return all;
   }
 
-  row(track) {
-    const lane = shape("svg", { class: "lane", height: LANE.height, "aria-hidden": "true" });
-    const name = element("span", { class: "name", title: track.name }, track.name);
-    const row = element("div", { class: "row track" }, name, lane);
-    const flaws = this.story.flaws.filter((flaw) => flaw.track === track.name);
-    this.rows.push({ track, row, lane, flaws });
-    return row;
+  /** Those that are to be seen, from above to below. */
+  get rows() {
+    return this.groups.seen;
+  }
+
+  get tracks() {
+    return this.rows.map((row) => row.track);
+  }
+
+  /** A row by its name, folded or not. */
+  find(name) {
+    return this.story.tracks.find((track) => track.name === name && this.groups.of(track) !== undefined) || null;
   }
 
   measure() {
@@ -125,12 +122,20 @@ class Timeline {
   }
 
   mark(track) {
-    for (const row of this.rows) {
+    if (track !== null && !this.tracks.includes(track)) {
+      this.groups.unfold(track);
+    }
+    for (const row of this.groups.all.values()) {
       row.row.classList.toggle("selected", row.track === track);
       if (row.track === track) {
         row.row.scrollIntoView({ block: "nearest" });
       }
     }
+  }
+
+  move(track, direction) {
+    this.groups.move(this.groups.of(track).row, direction);
+    this.mark(track);
   }
 
   zoom(factor, step = this.story.cursor) {

@@ -59,6 +59,7 @@ final class StreamTestLowering {
                     symbol.isEventDriven() ? eventDriven(test) : timeSynchronous(symbol, test);
             tests.add(
                     new StreamTest(
+                            suite.unit().packageText(),
                             suite.name(),
                             test.name(),
                             component,

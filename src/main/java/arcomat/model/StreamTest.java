@@ -8,6 +8,7 @@ import java.util.Map;
 /**
  * A test with its streams laid out in slices.
  *
+ * @param packageName of the suite; empty for the default package
  * @param arguments values of the component's parameters
  * @param inputs time-synchronous: one letter per slice; event-driven: one letter with one message
  *     per event
@@ -16,6 +17,7 @@ import java.util.Map;
  *     outputs have delay 1. Event-driven: one list with all messages in order.
  */
 public record StreamTest(
+        String packageName,
         String suite,
         String name,
         Component component,
@@ -28,8 +30,25 @@ public record StreamTest(
         inputs = List.copyOf(inputs);
     }
 
+    /** Of a suite in the default package. */
+    public StreamTest(
+            String suite,
+            String name,
+            Component component,
+            List<Value> arguments,
+            List<Letter> inputs,
+            Map<String, List<List<Value>>> expected,
+            Span span) {
+        this("", suite, name, component, arguments, inputs, expected, span);
+    }
+
+    /** {@code shop.StopTest#stops}. */
+    public String title() {
+        return (packageName.isEmpty() ? "" : packageName + ".") + suite + "#" + name;
+    }
+
     /** The same with other expectations. */
     public StreamTest expecting(Map<String, List<List<Value>>> others) {
-        return new StreamTest(suite, name, component, arguments, inputs, others, span);
+        return new StreamTest(packageName, suite, name, component, arguments, inputs, others, span);
     }
 }

@@ -65,10 +65,18 @@ public record Trace(
      * One slice (time-synchronous) or one event (event-driven).
      *
      * @param number from 0
+     * @param between what parts send, each port by its path, {@code mind.speed}; silent where
+     *     nobody has asked
      */
-    public record Step(int number, Letter inputs, Letter outputs, List<Activity> activities) {
+    public record Step(
+            int number, Letter inputs, Letter outputs, List<Activity> activities, Letter between) {
         public Step {
             activities = List.copyOf(activities);
+        }
+
+        /** A step of which nobody has asked what parts send. */
+        public Step(int number, Letter inputs, Letter outputs, List<Activity> activities) {
+            this(number, inputs, outputs, activities, Letter.SILENCE);
         }
     }
 

@@ -8,6 +8,10 @@ const DRINKER_RADIUS = 100;
 const CUP_RADIUS = 28;
 const BRIGHT = 45;
 
+/** Of names, in mm; and no smaller than that on the screen, in pixels. */
+const LETTERS = 62;
+const SMALLEST_LETTERS = 11;
+
 class Floor {
   constructor(recording) {
     this.recording = recording;
@@ -17,23 +21,45 @@ class Floor {
     this.robots = this.world.robots.map((robot) => this.robot(robot));
     this.drinkers = this.world.drinkers.map((drinker) => this.drinker(drinker));
     this.trails = this.world.robots.map(() => shape("polyline", { class: "trail" }));
+    this.labels = new Labels(this.world, this.world.drinkers.map((drinker) => around(drinker.x, this.y(drinker.y), DRINKER_RADIUS)));
+    this.ghost = recording.ghost === undefined ? null : new Ghost(this, recording);
     this.svg.append(
+      shape("rect", { class: "ground", width: this.world.width, height: this.world.depth }),
       shape(
         "g",
         { class: "lines" },
         ...this.world.lines.map((line) => this.outline(line.points, { class: "line", "stroke-width": line.width })),
       ),
       ...this.world.walls.map((wall) => this.outline(wall, { class: "wall" })),
+      this.scale(),
       ...this.trails,
       ...this.drinkers.map((drinker) => drinker.group),
+      ...(this.ghost === null ? [] : this.ghost.robots),
       ...this.robots.map((robot) => robot.group),
       ...this.robots.map((robot) => robot.label),
     );
+    this.width = 0;
+    new ResizeObserver(() => this.measure()).observe(this.svg);
+    this.look();
+  }
+
+  measure() {
+    this.width = this.svg.clientWidth;
     this.look();
   }
 
   y(up) {
     return this.world.depth - up;
+  }
+
+  /** A length that one can compare with, in the corner below. */
+  scale() {
+    const { width, depth } = this.world;
+    const length = [100, 200, 500, 1000, 2000, 5000].filter((each) => each <= width / 4).pop() || 100;
+    const [x, y] = [40, depth - 40];
+    const bar = shape("path", { d: `M${x} ${y - 18}v18h${length}v-18` });
+    const words = length < 1000 ? length / 10 + " cm" : length / 1000 + " m";
+    return shape("g", { class: "scale" }, bar, shape("text", { x: x + length / 2, y: y - 22 }, words));
   }
 
   outline(points, properties) {
@@ -47,23 +73,33 @@ class Floor {
   /** Drawn around (0, 0) with the front to the right; then moved and turned as a whole. */
   robot(robot) {
     const r = robot.radius;
-    const parts = { rays: [], eyes: [], mouths: [] };
+    const parts = { rays: [], eyes: [], mouths: [], ears: [] };
     robot.sensors.forEach((sensor, index) => {
       if (sensor.type === "ultrasonic") {
         parts.rays.push({ index, sensor, shape: shape("path", { class: "ray" }) });
+        parts.ears.push(this.ears(sensor));
       } else if (sensor.type === "light") {
         parts.eyes.push({ index, shape: shape("circle", { class: "eye", cx: sensor.x, cy: -sensor.y, r: 9 }) });
       } else if (sensor.x !== undefined) {
         parts.mouths.push(shape("circle", { class: "mouth", cx: sensor.x, cy: -sensor.y, r: 60 }));
       }
     });
-    const wheel = (y) => shape("rect", { class: "wheel", x: -0.35 * r, y: y - 8, width: 0.7 * r, height: 16, rx: 4 });
+    const wheel = (y) => shape("rect", { class: "wheel", x: -0.35 * r, y: y - 10, width: 0.7 * r, height: 20, rx: 5 });
+    const tread = (y) => shape("path", { class: "tread", d: `M${-0.33 * r} ${y}H${0.33 * r}` });
+    const treads = [tread(-0.8 * r), tread(0.8 * r)];
     const cup = shape("circle", { class: "cup", r: CUP_RADIUS });
     const crash = shape("circle", { class: "collision", r: r + 25 });
     const driven = !robot.moves ? [] : [
-      wheel(-0.7 * r),
-      wheel(0.7 * r),
-      shape("path", { class: "nose", d: `M${0.35 * r} ${-0.35 * r}L${0.85 * r} 0L${0.35 * r} ${0.35 * r}` }),
+      wheel(-0.8 * r),
+      wheel(0.8 * r),
+      ...treads,
+      shape("path", { class: "nose", d: `M${0.6 * r} ${-0.3 * r}L${0.88 * r} 0L${0.6 * r} ${0.3 * r}` }),
+    ];
+    // The brick, with its display and its orange button.
+    const brick = [
+      shape("rect", { class: "brick", x: -0.5 * r, y: -0.42 * r, width: r, height: 0.84 * r, rx: 0.08 * r }),
+      shape("rect", { class: "screen", x: -0.02 * r, y: -0.28 * r, width: 0.38 * r, height: 0.56 * r, rx: 3 }),
+      shape("circle", { class: "key", cx: -0.26 * r, cy: 0, r: 0.1 * r }),
     ];
     const group = shape(
       "g",
@@ -72,13 +108,22 @@ class Floor {
       ...parts.mouths,
       shape("circle", { class: "body", r }),
       ...driven,
+      ...brick,
+      ...parts.ears,
       ...parts.eyes.map((eye) => eye.shape),
       cup,
       crash,
     );
     const doing = shape("tspan", { class: "doing" });
     const label = shape("text", {}, robot.name + " ", doing);
-    return { ...parts, group, cup, crash, label, doing, radius: r };
+    return { ...parts, group, cup, crash, label, doing, treads: robot.moves ? treads : [], name: robot.name, radius: r };
+  }
+
+  /** The two round fronts of an ultrasonic sensor. */
+  ears(sensor) {
+    const front = (y) => shape("circle", { cx: 4, cy: y, r: 9 });
+    const box = shape("rect", { x: -10, y: -24, width: 16, height: 48, rx: 4 });
+    return shape("g", { class: "ears", transform: `translate(${sensor.x} ${-sensor.y}) rotate(${-sensor.facing})` }, box, front(-12), front(12));
   }
 
   drinker(drinker) {
@@ -101,10 +146,17 @@ class Floor {
       box = [this.place.x - span / 2, this.y(this.place.y) - span / 4, span, span / 2];
     }
     this.svg.setAttribute("viewBox", box.map(Math.round).join(" "));
+    // Where a floor is small on the screen, its letters are larger, so that they can be read.
+    this.letters = this.width === 0 ? 1 : Math.max(1, (SMALLEST_LETTERS * box[2]) / this.width / LETTERS);
+    this.svg.style.setProperty("--letters", this.letters.toFixed(2));
   }
 
   show(time) {
     this.robots.forEach((shapes, number) => this.showRobot(shapes, number, time));
+    this.labels.place(this.robots.map((shapes, number) => this.labelled(shapes, number, time)), this.letters);
+    if (this.ghost !== null) {
+      this.ghost.show(time);
+    }
     this.drinkers.forEach((shapes, number) => {
       const drinker = this.recording.drinker(number, time);
       shapes.body.classList.toggle("away", !drinker.isPresent);
@@ -120,10 +172,9 @@ class Floor {
     }
     const y = this.y(robot.y);
     shapes.group.setAttribute("transform", `translate(${robot.x} ${y}) rotate(${-robot.heading})`);
-    shapes.label.setAttribute("x", robot.x);
-    // Above and below in turn: two that meet have both names to be read.
-    shapes.label.setAttribute("y", number % 2 === 0 ? y - shapes.radius - 24 : y + shapes.radius + 70);
     shapes.doing.textContent = robot.display;
+    const rolled = shapes.treads.length === 0 ? [] : this.recording.rolled(number, time);
+    shapes.treads.forEach((tread, side) => tread.setAttribute("stroke-dashoffset", rolled[side].toFixed(1)));
     for (const ray of shapes.rays) {
       ray.shape.setAttribute("d", cone(ray.sensor, robot.readings[ray.index]));
     }
@@ -137,6 +188,11 @@ class Floor {
     shapes.crash.toggleAttribute("hidden", !this.collidesAt(number, time));
     const trail = this.recording.trail(number, time, TRAIL_SECONDS);
     this.trails[number].setAttribute("points", trail.map(([x, up]) => x + "," + this.y(up)).join(" "));
+  }
+
+  labelled({ label, name, doing, radius }, number, time) {
+    const { x, y } = this.recording.robot(number, time);
+    return { text: label, name, doing: doing.textContent, x, y: this.y(y), radius };
   }
 
   collidesAt(number, time) {

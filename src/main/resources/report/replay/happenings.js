@@ -8,7 +8,7 @@ const TELL = {
   COFFEE_SPILT: () => "pours coffee on the floor",
   COFFEE_TAKEN: (event) => "brings coffee to " + event.whom,
   SHOWED: (event) => event.text,
-  SENT: (event) => "sends " + message(event.text),
+  SENT: (event) => "sends " + (event.words ?? message(event.text)),
 };
 const BAD = new Set(["COLLISION", "CUP_LOST", "COFFEE_SPILT"]);
 

@@ -20,6 +20,7 @@ class Player {
       "aria-label": "Moment",
       oninput: () => this.go(Number(this.slider.value)),
     });
+    this.slide = element("span", { class: "slide" }, marks(recording), this.slider);
     this.clock = element("span", { class: "time", id: "clock" });
     this.chooser = element(
       "select",
@@ -29,7 +30,7 @@ class Player {
   }
 
   elements() {
-    return [this.play, this.slider, this.clock, this.chooser];
+    return [this.play, this.slide, this.clock, this.chooser];
   }
 
   toggle() {
@@ -73,4 +74,11 @@ class Player {
   faster(steps) {
     this.setSpeed(SPEEDS[clamp(SPEEDS.indexOf(this.speed) + steps, 0, SPEEDS.length - 1)]);
   }
+}
+
+/** When something happened, above the slider; what went wrong stands out. */
+function marks({ events, length }) {
+  const at = (event) => (100 * event.t) / Math.max(1, length) + "%";
+  const lines = events.map((event) => shape("line", { class: BAD.has(event.what) ? "bad" : null, x1: at(event), x2: at(event), y1: 0, y2: 8 }));
+  return shape("svg", { class: "marks", width: "100%", height: 8, "aria-hidden": "true" }, ...lines);
 }

@@ -9,6 +9,7 @@ class Recording {
     this.events = data.events;
     this.period = data.period;
     this.idling = data.idle;
+    this.ghost = data.ghost;
     this.length = this.frames.length === 0 ? 0 : this.frames[this.frames.length - 1].t;
   }
 
@@ -62,6 +63,30 @@ class Recording {
       }
     }
     return low === 0 ? -1 : reasons[2 * low - 1];
+  }
+
+  /** How far the wheels of a robot have rolled up to a moment, left and right, in mm. */
+  rolled(number, time) {
+    if (this.ways === undefined) {
+      this.ways = this.world.robots.map((_, robot) => Recording.ways(this.frames, robot, this.period));
+    }
+    const index = this.index(time);
+    const share = (time - this.frames[index].t) / 1000;
+    const { left, right } = Recording.parts(this.frames[index].robots[number]);
+    const [leftBefore, rightBefore] = this.ways[number][index];
+    return [leftBefore + left * share, rightBefore + right * share];
+  }
+
+  static ways(frames, robot, period) {
+    let left = 0;
+    let right = 0;
+    return frames.map((frame) => {
+      const way = [left, right];
+      const now = Recording.parts(frame.robots[robot]);
+      left += (now.left * period) / 1000;
+      right += (now.right * period) / 1000;
+      return way;
+    });
   }
 
   drinker(number, time) {

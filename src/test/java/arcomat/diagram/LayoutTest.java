@@ -10,6 +10,7 @@ import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -54,7 +55,8 @@ class LayoutTest {
                         ModelFiles.of(Path.of("models/coffee")).stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
-                        Set.of());
+                        Set.of(),
+                        HouseLanguages.reader());
         List<Graph> graphs = graphs(Lowering.lower(workspace));
         assertThat(graphs).hasSizeGreaterThan(30);
         for (Graph graph : graphs) {
@@ -89,7 +91,10 @@ class LayoutTest {
     private static Graph automaton(String text) {
         SourceFile file = new SourceFile("Counter.arc", text);
         Workspace workspace =
-                Workspace.of(List.of(Parser.parse(file).unit().orElseThrow()), Set.of());
+                Workspace.of(
+                        List.of(Parser.parse(file).unit().orElseThrow()),
+                        Set.of(),
+                        HouseLanguages.reader());
         return graphs(Lowering.lower(workspace)).get(1);
     }
 

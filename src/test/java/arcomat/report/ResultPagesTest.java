@@ -70,7 +70,7 @@ class ResultPagesTest {
                         .run(new VerifyPromises(List.of("."), limits))
                         .value()
                         .orElseThrow();
-        return VerdictPage.of("verify", "all", answers).stories().get(0);
+        return VerdictPage.of("verify", "all", answers, "none").stories().get(0);
     }
 
     private static Track track(Story story, String name) {
@@ -153,6 +153,113 @@ class ResultPagesTest {
         assertThat(texts(track(story, "state"))).containsExactly("opened");
         assertThat(texts(track(story, "state.left"))).containsExactly("2");
         assertThat(story.drawings()).extracting(Drawing::title).containsExactly("state");
+    }
+
+    /** A bell of two rooms: what is sent inside is told by its sender, once one slice later. */
+    private static final String BELL =
+            """
+            component Bell {
+              timing instant;
+              port in Boolean button, out Boolean sound;
+              component Hall {
+                timing instant;
+                port in Boolean button, out Boolean rings;
+                component Wire wire;
+                connect button -> wire.i;
+                connect wire.o -> rings;
+                component Wire {
+                  timing TIMING;
+                  port in Boolean i, out Boolean o;
+                  <<completion = "ignore">> automaton {
+                    state s;
+                    initial s;
+                    s {i == true} / {o = true};
+                  }
+                }
+              }
+              component Hall hall;
+              component Horn {
+                timing instant;
+                port in Boolean on, out Boolean sound;
+                <<completion = "ignore">> automaton { state s; initial s; s {on == true} / {sound = true}; }
+              }
+              component Horn horn;
+              connect button -> hall.button;
+              connect hall.rings -> horn.on;
+              connect horn.sound -> sound;
+            }
+            """;
+
+    private Story bell(String timing, String input) throws Exception {
+        write("Bell.arc", BELL.replace("TIMING", timing));
+        write(
+                "BellTest.mt",
+                "testsuite BellTest for Bell { test rings { input { button: <"
+                        + input
+                        + ">; }"
+                        + " expect { sound: <>; } } }");
+        Trace trace = StreamTests.firstRun(tests().get(0).test(), true);
+        return TracePage.of(trace, List.of()).stories().get(0);
+    }
+
+    @Test
+    void whatPartsSendHasRowsAsTheArchitectureHas() throws Exception {
+        Story story = bell("delayed", "Tk, true, Tk, Tk");
+        assertThat(story.timeline().tracks())
+                .filteredOn(track -> track.kind() != Track.Kind.REASON)
+                .extracting(track -> track.group() + ": " + track.name())
+                .containsExactly(
+                        "inputs: button",
+                        "outputs: sound",
+                        "part hall: hall.rings",
+                        "part hall.wire: hall.wire.o",
+                        "part hall.wire: hall.wire",
+                        "part horn: horn.sound",
+                        "part horn: horn");
+        assertThat(texts(track(story, "hall.wire.o"))).containsExactly("-", "-", "true");
+        assertThat(texts(track(story, "hall.rings"))).containsExactly("-", "-", "true");
+        assertThat(texts(track(story, "horn.sound"))).containsExactly("-", "-", "true");
+        Drawing architecture = story.drawings().get(0);
+        assertThat(architecture.title()).isEqualTo("Bell");
+        assertThat(architecture.carried())
+                .containsEntry("button", "button")
+                .containsEntry("hall.button", "button")
+                .containsEntry("hall.wire.i", "button")
+                .containsEntry("hall.rings", "hall.rings")
+                .containsEntry("horn.on", "hall.wire.o")
+                .containsEntry("sound", "sound");
+        assertThat(architecture.svg()).contains("data-connector=\"hall.rings -&gt; horn.on\"");
+    }
+
+    @Test
+    void whatPartsSendInAnEventIsTold() throws Exception {
+        write(
+                "Bell.arc",
+                BELL.replace("TIMING", "untimed").replace("timing instant", "timing untimed"));
+        write(
+                "BellTest.mt",
+                """
+                testsuite BellTest for Bell {
+                  test rings { events { button: false; button: true; } expect { sound: <true>; } }
+                }
+                """);
+        Story story = StreamTestPage.of("all", tests()).stories().get(0);
+        assertThat(texts(track(story, "hall.rings"))).containsExactly("-", "true");
+        assertThat(texts(track(story, "horn.sound"))).containsExactly("-", "true");
+    }
+
+    /** Who has not listened does not say that there was silence. */
+    @Test
+    void nothingIsToldOfPartsThatNobodyListenedTo() throws Exception {
+        write("Bell.arc", BELL.replace("TIMING", "instant"));
+        write(
+                "BellTest.mt",
+                "testsuite BellTest for Bell { test rings { input { button: <true>; }"
+                        + " expect { sound: <true>; } } }");
+        Trace trace = StreamTests.firstRun(tests().get(0).test());
+        Story story = TracePage.of(trace, List.of()).stories().get(0);
+        assertThat(story.timeline().tracks()).extracting(Track::name).doesNotContain("hall.rings");
+        assertThat(story.drawings()).extracting(Drawing::title).doesNotContain("Bell");
     }
 
     @Test

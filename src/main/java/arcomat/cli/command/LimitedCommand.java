@@ -65,6 +65,14 @@ public abstract class LimitedCommand extends Command {
                 Optional.ofNullable(timeout), Optional.ofNullable(maxStates), Optional.of(begun));
     }
 
+    /** The limits in words, for who looks at a page. */
+    protected final String limitsInWords() {
+        String time = timeout == null ? "no limit of time" : timeout + " s";
+        return time
+                + ", "
+                + (maxStates == null ? "as many states as memory holds" : maxStates + " states");
+    }
+
     protected static int status(Answer answer) {
         return switch (answer) {
             case HOLDS -> ExitStatus.FINE;

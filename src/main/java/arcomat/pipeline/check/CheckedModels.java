@@ -12,6 +12,7 @@ import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.util.Collection;
@@ -148,7 +149,11 @@ public record CheckedModels(
     }
 
     private static Workspace workspace(LoadedModels loaded, Session session) {
-        return Workspace.of(loaded.units(), loaded.broken(), List.of(), session.laws().reader());
+        return Workspace.of(
+                loaded.units(),
+                loaded.broken(),
+                List.of(),
+                HouseLanguages.and(session.laws().reader()));
     }
 
     private static Review review(
@@ -163,6 +168,7 @@ public record CheckedModels(
                 .and(
                         Checks.reviewRecovered(
                                 session.laws(),
+                                HouseLanguages.and(session.laws().reader()),
                                 loaded.recovered(),
                                 loaded.units(),
                                 loaded.broken(),

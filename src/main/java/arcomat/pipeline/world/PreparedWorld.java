@@ -3,6 +3,7 @@ package arcomat.pipeline.world;
 import arcomat.generate.CodeLayout;
 import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
+import arcomat.report.world.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.Limits;
@@ -19,6 +20,7 @@ import arcomat.world.World;
 import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -152,8 +154,22 @@ public final class PreparedWorld {
         return recorder.recording();
     }
 
-    /** The same, with why transitions of the robots' programs did not fire. That takes longer. */
-    public Recording explain(Seeds seeds, Duration patience, Limits limits) {
+    /**
+     * A run with what went on inside of the robots.
+     *
+     * @param inside what programs that were made of models did
+     */
+    public record Explained(Recording recording, List<RobotRun> inside) {
+        public Explained {
+            inside = List.copyOf(inside);
+        }
+    }
+
+    /**
+     * The same, with what the robots' programs did, and why their transitions did not fire. That
+     * takes longer.
+     */
+    public Explained explain(Seeds seeds, Duration patience, Limits limits) {
         Map<String, Refusing> refusing = new LinkedHashMap<>();
         Map<String, WorldPrograms.Equipment> probed = new LinkedHashMap<>(equipment);
         equipment.forEach(
@@ -166,7 +182,9 @@ public final class PreparedWorld {
                                         }));
         WorldRecorder recorder = new WorldRecorder(ready(), seeds, refusing);
         WorldRun.run(ready(), seeds, probed, patience, limits, recorder);
-        return recorder.recording();
+        List<RobotRun> inside = new ArrayList<>();
+        refusing.forEach((robot, own) -> inside.add(own.run(robot)));
+        return new Explained(recorder.recording(), inside);
     }
 
     /** The same where one seed draws everything. */

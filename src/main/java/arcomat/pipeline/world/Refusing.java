@@ -6,6 +6,7 @@ import arcomat.model.Component;
 import arcomat.model.Refusal;
 import arcomat.pipeline.compile.AutomatonFields;
 import arcomat.pipeline.compile.CodeParts;
+import arcomat.report.world.RobotRun;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
@@ -23,9 +24,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Why no transition of the parts of one robot's program is enabled, while it runs: at the beginning
- * of each of their steps the fields of the generated code say where they are, and the model says
- * what that means. Parts with several automata are left out, and those that handle events.
+ * What the parts of one robot's program do while it runs, and why no transition of theirs is
+ * enabled: at the beginning of each of their steps the fields of the generated code say where they
+ * are, and the model says what that means. Parts with several automata are left out, and those that
+ * handle events.
  */
 final class Refusing {
     private static final String STEP = "step";
@@ -34,13 +36,16 @@ final class Refusing {
     private final Component whole;
     private final String type;
     private final List<Network.Instance> instances;
+    private final ProgramTrace trace;
     private final Map<Object, Part> parts = new IdentityHashMap<>();
 
     /** A part as it runs. */
-    private record Part(String path, StepRelation relation, WhyNot whyNot, AutomatonFields fields) {
-        Optional<Refusal> nearest() {
-            Configuration configuration = fields.configuration();
-            Input input = fields.input();
+    private record Part(
+            Network.Instance instance,
+            StepRelation relation,
+            WhyNot whyNot,
+            AutomatonFields fields) {
+        Optional<Refusal> nearest(Configuration configuration, Input input) {
             return relation.choices(configuration, input).enabled().isEmpty()
                     ? whyNot.nearest(configuration, input)
                     : Optional.empty();
@@ -60,8 +65,10 @@ final class Refusing {
         this.layout = layout;
         this.whole = whole;
         this.type = place(layout, whole).className();
+        Network network = Network.of(whole, List.of());
+        this.trace = new ProgramTrace(whole, network);
         this.instances =
-                Network.of(whole, List.of()).instances().stream()
+                network.instances().stream()
                         .filter(each -> automaton(each.component()).isPresent())
                         .toList();
     }
@@ -95,16 +102,35 @@ final class Refusing {
                 List.of());
     }
 
-    /** A step begins; nothing where it is not that of a part with an automaton. */
-    Optional<Said> entered(Object object, String method) {
+    /**
+     * A step begins; nothing where it is not that of a part with an automaton.
+     *
+     * @param time in milliseconds
+     */
+    Optional<Said> entered(long time, Object object, String method) {
         if (!method.equals(STEP)) {
             return Optional.empty();
         }
-        if (parts.isEmpty() && object.getClass().getName().equals(type)) {
-            meet(object);
+        if (object.getClass().getName().equals(type)) {
+            if (parts.isEmpty()) {
+                meet(object);
+            }
+            trace.begin(time);
         }
-        return Optional.ofNullable(parts.get(object))
-                .map(part -> new Said(part.path(), part.nearest()));
+        return Optional.ofNullable(parts.get(object)).map(this::step);
+    }
+
+    private Said step(Part part) {
+        Configuration before = part.fields().configuration();
+        Input input = part.fields().input();
+        Optional<Refusal> nearest = part.nearest(before, input);
+        trace.step(part.instance(), part.relation(), before, input, nearest);
+        return new Said(part.instance().path(), nearest);
+    }
+
+    /** What the program has done so far. */
+    RobotRun run(String robot) {
+        return trace.run(robot);
     }
 
     private void meet(Object object) {
@@ -113,10 +139,11 @@ final class Refusing {
             Object own = Objects.requireNonNull(objects.get(each.path())).object();
             StepRelation relation =
                     ComponentSemantics.of(each.component(), each.arguments()).relations().get(0);
+            trace.start(each, relation);
             parts.put(
                     own,
                     new Part(
-                            each.path(),
+                            each,
                             relation,
                             WhyNot.of(relation),
                             new AutomatonFields(

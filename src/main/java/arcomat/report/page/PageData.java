@@ -75,7 +75,11 @@ record PageData(List<Story> stories) {
     }
 
     /** A drawing, with the number of its picture. */
-    private record Picture(String title, int picture, List<String> tracks) {}
+    private record Picture(
+            String title,
+            int picture,
+            List<String> tracks,
+            Optional<Map<String, String>> carried) {}
 
     static String render(Page page) {
         Map<String, Integer> pictures = pictures(page);
@@ -94,7 +98,9 @@ record PageData(List<Story> stories) {
                                                     each.title(),
                                                     Objects.requireNonNull(
                                                             pictures.get(each.svg())),
-                                                    each.tracks())))
+                                                    each.tracks(),
+                                                    Optional.of(each.carried())
+                                                            .filter(all -> !all.isEmpty()))))
                     .build()
                     .writer(new HtmlEscapes())
                     .writeValueAsString(new PageData(page.stories()));

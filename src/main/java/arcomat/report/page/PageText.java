@@ -6,26 +6,27 @@ import arcomat.report.text.Printable;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Writes a page as HTML: the timeline of runs, and what stands beside it. */
 public final class PageText {
-    /** In the order in which they build on each other. */
-    private static final List<String> SCRIPTS =
+    /** Runs, in the order in which they build on each other. */
+    private static final List<String> RUN_SCRIPTS =
             List.of(
                     "elements.js",
                     "tracks.js",
                     "view.js",
                     "lanes.js",
+                    "rows.js",
                     "timeline.js",
                     "moment.js",
+                    "carried.js",
                     "pictures.js",
                     "remarks.js",
                     "search.js",
                     "paper.js",
-                    "stories.js",
-                    "address.js",
-                    "keys.js",
-                    "main.js");
+                    "play.js",
+                    "stories.js");
 
     private static final List<String> STYLES =
             List.of("colours.css", "page.css", "timeline.css", "moment.css", "paper.css");
@@ -40,12 +41,29 @@ public final class PageText {
                         "tone", Printable.word(page.tone()),
                         "headline", SelfContained.escaped(page.headline()),
                         "pictures", pictures(page),
-                        "data", PageData.render(page));
-        String style = Theme.ADAPTIVE.css() + SelfContained.join(STYLES);
-        return SelfContained.render("page.html", style, SCRIPTS, slots);
+                        "data", data(page));
+        List<String> scripts =
+                Stream.concat(RUN_SCRIPTS.stream(), Stream.of("address.js", "keys.js", "main.js"))
+                        .toList();
+        return SelfContained.render("page.html", runStyle(), scripts, slots);
     }
 
-    private static String pictures(Page page) {
+    /** Scripts of pages that show runs as this one does, whatever else is on them. */
+    public static List<String> runScripts() {
+        return RUN_SCRIPTS;
+    }
+
+    public static String runStyle() {
+        return Theme.ADAPTIVE.css() + SelfContained.join(STYLES);
+    }
+
+    /** The runs of a page as JSON that may stand in HTML, {@code {"stories": []}}. */
+    public static String data(Page page) {
+        return PageData.render(page);
+    }
+
+    /** The pictures of its runs, as templates. */
+    public static String pictures(Page page) {
         return PageData.pictures(page).keySet().stream()
                 .map(svg -> "<template class=\"picture\">" + svg + "</template>\n")
                 .collect(Collectors.joining());

@@ -5,7 +5,10 @@ import arcomat.source.Span;
 
 import com.fasterxml.jackson.annotation.JsonUnwrapped;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -14,6 +17,7 @@ import java.util.OptionalInt;
  *
  * @param headline what came of it, in a sentence; empty where the page's headline says it
  * @param drawings pictures that follow the run
+ * @param facts what was asked, what that means, what to try next
  */
 public record Story(
         String title,
@@ -21,10 +25,40 @@ public record Story(
         String headline,
         List<Remark> remarks,
         @JsonUnwrapped Timeline timeline,
-        List<Drawing> drawings) {
+        List<Drawing> drawings,
+        List<Fact> facts) {
     public Story {
         remarks = List.copyOf(remarks);
         drawings = List.copyOf(drawings);
+        facts = List.copyOf(facts);
+    }
+
+    /** One of which nothing is told but what came of it. */
+    public Story(
+            String title,
+            Tone tone,
+            String headline,
+            List<Remark> remarks,
+            Timeline timeline,
+            List<Drawing> drawings) {
+        this(title, tone, headline, remarks, timeline, drawings, List.of());
+    }
+
+    /** The same with what was asked, and what to do with the answer. */
+    public Story telling(List<Fact> told) {
+        return new Story(title, tone, headline, remarks, timeline, drawings, told);
+    }
+
+    /**
+     * What a reader may want to know who did not ask himself.
+     *
+     * @param label such as {@code asked} or {@code next}
+     */
+    public record Fact(String label, String text) {
+        /** With {@link String#format} of the text. */
+        public static Fact of(String label, String text, Object... arguments) {
+            return new Fact(label, text.formatted(arguments));
+        }
     }
 
     /**
@@ -53,10 +87,18 @@ public record Story(
      *
      * @param svg an element {@code svg} without scripts and styles
      * @param tracks names of the tracks that it follows
+     * @param carried names of the tracks that say what its ports carry, by the paths of the ports
      */
-    public record Drawing(String title, String svg, List<String> tracks) {
+    public record Drawing(
+            String title, String svg, List<String> tracks, Map<String, String> carried) {
         public Drawing {
             tracks = List.copyOf(tracks);
+            carried = Collections.unmodifiableMap(new LinkedHashMap<>(carried));
+        }
+
+        /** One without ports. */
+        public Drawing(String title, String svg, List<String> tracks) {
+            this(title, svg, tracks, Map.of());
         }
     }
 }

@@ -16,6 +16,11 @@ import java.util.stream.Stream;
  */
 public record Track(
         String group, String name, Kind kind, String before, List<Entry> values, List<Run> runs) {
+    /**
+     * How the heading of a part begins, before its path: pages fold it, and nest it by the path.
+     */
+    public static final String PART = "part ";
+
     /** Nothing: a port that is silent. */
     public static final int NOTHING = -1;
 

@@ -20,6 +20,8 @@ final class AutomatonTracks {
     /** What the state of the sole automaton is called. */
     private static final String SOLE = "state";
 
+    private final String instance;
+    private final String group;
     private final boolean sole;
     private final String name;
     private final Optional<Component> component;
@@ -36,17 +38,19 @@ final class AutomatonTracks {
      * @param activity one that the automaton did
      */
     AutomatonTracks(String named, Component whole, Trace.Activity activity) {
+        instance = activity.instance();
+        group = instance.isEmpty() ? TraceTracks.STATES : Track.PART + instance;
         sole = named.isEmpty();
         name = sole ? SOLE : named;
-        component = AutomatonDrawing.part(whole, activity.instance());
+        component = RunDrawings.part(whole, activity.instance());
         automaton =
                 component.stream()
                         .flatMap(each -> each.automata().stream())
                         .filter(each -> each.name().equals(activity.automaton()))
                         .findFirst();
-        state = new Track.Builder(TraceTracks.STATES, name, Kind.STATE);
-        reason = new Track.Builder(TraceTracks.STATES, name + " because", Kind.REASON);
-        nearest = new Track.Builder(TraceTracks.STATES, name + " why not", Kind.REASON);
+        state = new Track.Builder(group, name, Kind.STATE);
+        reason = new Track.Builder(group, name + " because", Kind.REASON);
+        nearest = new Track.Builder(group, name + " why not", Kind.REASON);
     }
 
     /**
@@ -76,19 +80,24 @@ final class AutomatonTracks {
     private Track.Builder variable(String variable) {
         String full = sole ? variable : name + "." + variable;
         return variables.computeIfAbsent(
-                variable, any -> new Track.Builder(TraceTracks.STATES, full, Kind.VARIABLE));
+                variable, any -> new Track.Builder(group, full, Kind.VARIABLE));
     }
 
     private List<String> elements(String stateName) {
         return automaton.stream()
-                .map(each -> AutomatonDrawing.state(each.states().indexOf(stateName)))
+                .map(each -> RunDrawings.state(each.states().indexOf(stateName)))
                 .toList();
     }
 
     private static List<String> elements(Trace.Cause cause) {
         return cause instanceof Trace.Taken taken
-                ? List.of(AutomatonDrawing.transition(taken.index()))
+                ? List.of(RunDrawings.transition(taken.index()))
                 : List.of();
+    }
+
+    /** The path of whose automaton it is; empty for the whole. */
+    String instance() {
+        return instance;
     }
 
     List<Track> tracks() {
@@ -100,14 +109,14 @@ final class AutomatonTracks {
         return tracks;
     }
 
-    Optional<Drawing> drawing(AutomatonDrawing pictures) {
+    Optional<Drawing> drawing(RunDrawings pictures) {
         List<String> followed = List.of(name, name + " because");
         return automaton.map(each -> drawing(pictures, component.orElseThrow(), each, followed));
     }
 
     /** What is not a part of something is called by its own name. */
     private Drawing drawing(
-            AutomatonDrawing pictures, Component owner, Automaton drawn, List<String> followed) {
+            RunDrawings pictures, Component owner, Automaton drawn, List<String> followed) {
         String title = sole ? owner.title(drawn) : name;
         return pictures.of(title, owner, drawn, followed);
     }

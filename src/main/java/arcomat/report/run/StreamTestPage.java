@@ -6,6 +6,7 @@ import arcomat.model.Trace;
 import arcomat.report.page.Page;
 import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Fact;
 import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
@@ -31,9 +32,9 @@ public final class StreamTestPage {
     private final StreamTest test;
     private final Trace run;
     private final TraceTracks tracks;
-    private final AutomatonDrawing pictures;
+    private final RunDrawings pictures;
 
-    private StreamTestPage(StreamTestResult result, AutomatonDrawing pictures) {
+    private StreamTestPage(StreamTestResult result, RunDrawings pictures) {
         this.result = result;
         this.pictures = pictures;
         test = result.test();
@@ -42,7 +43,7 @@ public final class StreamTestPage {
     }
 
     public static Page of(String title, List<StreamTestResult> results) {
-        AutomatonDrawing pictures = new AutomatonDrawing();
+        RunDrawings pictures = new RunDrawings();
         List<Story> stories =
                 results.stream().map(each -> new StreamTestPage(each, pictures).story()).toList();
         String headline = StreamTestText.summary(results, Style.PLAIN);
@@ -62,16 +63,43 @@ public final class StreamTestPage {
         Timeline timeline =
                 new Timeline(tracks.unit(), tracks.length(), List.of(), tracks(), flaws());
         return new Story(
-                test.suite() + "#" + test.name(),
-                switch (result.verdict()) {
-                    case PASSED -> Tone.GOOD;
-                    case VACUOUS, UNKNOWN -> Tone.OPEN;
-                    case FAILED -> Tone.BAD;
-                },
-                StreamTestText.line(result),
-                remarks(),
-                timeline,
-                tracks.drawings(pictures));
+                        test.title(),
+                        switch (result.verdict()) {
+                            case PASSED -> Tone.GOOD;
+                            case VACUOUS, UNKNOWN -> Tone.OPEN;
+                            case FAILED -> Tone.BAD;
+                        },
+                        StreamTestText.line(result),
+                        remarks(),
+                        timeline,
+                        tracks.drawings(pictures))
+                .telling(facts());
+    }
+
+    private List<Fact> facts() {
+        List<Fact> facts = new ArrayList<>();
+        facts.add(
+                Fact.of(
+                        "asked",
+                        "whether some run that %s allows gives the expected output",
+                        test.component().qualifiedName()));
+        facts.add(RunFacts.time(test.component()));
+        RunFacts.completions(test.component(), test.component().automata()).ifPresent(facts::add);
+        facts.add(
+                Fact.of(
+                        "shown",
+                        "a run that takes the first choice wherever the model leaves one"));
+        if (result.verdict() == Verdict.FAILED) {
+            facts.add(
+                    Fact.of(
+                            "next",
+                            "step from the first difference back (Left) to what brought it about;"
+                                + " 'arcomat simulate --input %s#%s --choose ask' lets you choose"
+                                + " yourself",
+                            test.span().file().path(),
+                            test.name()));
+        }
+        return facts;
     }
 
     private List<Remark> remarks() {

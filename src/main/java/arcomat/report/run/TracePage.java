@@ -5,6 +5,7 @@ import arcomat.report.finding.FindingsText;
 import arcomat.report.page.Page;
 import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Fact;
 import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
@@ -20,6 +21,13 @@ public final class TracePage {
     private TracePage() {}
 
     public static Page of(Trace trace, List<Watched> watched) {
+        return of(trace, watched, "");
+    }
+
+    /**
+     * @param how what came in and who chose, in words; empty where nobody says
+     */
+    public static Page of(Trace trace, List<Watched> watched, String how) {
         TraceTracks tracks = new TraceTracks(trace);
         List<Remark> remarks = new ArrayList<>();
         List<Flaw> flaws = new ArrayList<>();
@@ -34,18 +42,46 @@ public final class TracePage {
         Timeline timeline = new Timeline(tracks.unit(), length, List.of(), tracks.all(), flaws);
         Story story =
                 new Story(
-                        "",
-                        Tone.NEUTRAL,
-                        "",
-                        remarks,
-                        timeline,
-                        tracks.drawings(new AutomatonDrawing()));
+                                "",
+                                Tone.NEUTRAL,
+                                "",
+                                remarks,
+                                timeline,
+                                tracks.drawings(new RunDrawings()))
+                        .telling(facts(trace, how));
         return new Page(
                 "simulate",
                 trace.component().qualifiedName(),
                 tone(trace, watched),
                 headline(trace, watched, tracks.unit()),
                 List.of(story));
+    }
+
+    private static List<Fact> facts(Trace trace, String how) {
+        List<Fact> facts = new ArrayList<>();
+        if (!how.isEmpty()) {
+            facts.add(new Fact("asked", how));
+        }
+        facts.add(RunFacts.time(trace.component()));
+        RunFacts.completions(trace.component(), trace.component().automata()).ifPresent(facts::add);
+        facts.add(
+                new Fact(
+                        "next",
+                        "'--record FILE.mt' keeps the run as a stream test; '--choose ask' lets"
+                                + " you choose where the model leaves something open"));
+        return facts;
+    }
+
+    /**
+     * A run with nothing to be said about it but what it did.
+     *
+     * @param times of its steps, in milliseconds
+     */
+    public static Story story(String title, Trace trace, List<Long> times, RunDrawings pictures) {
+        TraceTracks tracks = new TraceTracks(trace);
+        Timeline timeline =
+                new Timeline(tracks.unit(), tracks.length(), times, tracks.all(), List.of());
+        return new Story(title, Tone.NEUTRAL, "", List.of(), timeline, tracks.drawings(pictures));
     }
 
     private static Tone tone(Trace trace, List<Watched> watched) {

@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A trace as tracks: ports, then for each automaton its state, why it changed, and its variables;
- * with a drawing of each automaton.
+ * A trace as tracks: ports, then for each automaton its state, why it changed, and its variables,
+ * part by part as the architecture is; with drawings that follow the run.
  */
 public final class TraceTracks {
     static final String INPUTS = "inputs";
@@ -26,6 +26,7 @@ public final class TraceTracks {
     private final Trace trace;
     private final TraceColumns columns;
     private final Map<String, AutomatonTracks> automata = new LinkedHashMap<>();
+    private final PartTracks parts;
 
     TraceTracks(Trace trace) {
         this.trace = trace;
@@ -44,6 +45,7 @@ public final class TraceTracks {
         for (int step = trace.steps().size(); step < length(); step++) {
             automata.values().forEach(tracks -> tracks.add(null));
         }
+        parts = new PartTracks(trace);
     }
 
     /** How many steps there are, one that goes wrong included. */
@@ -85,12 +87,29 @@ public final class TraceTracks {
         return port(OUTPUTS, port, trace.shown());
     }
 
+    /** What is inside: the automata of the whole, or of each part behind what that part sends. */
     List<Track> states() {
-        return automata.values().stream().flatMap(each -> each.tracks().stream()).toList();
+        List<Track> tracks = new ArrayList<>(states(""));
+        for (String part : parts.paths()) {
+            tracks.addAll(parts.outputs(part));
+            tracks.addAll(states(part));
+        }
+        return tracks;
     }
 
-    List<Drawing> drawings(AutomatonDrawing pictures) {
-        return automata.values().stream().flatMap(each -> each.drawing(pictures).stream()).toList();
+    private List<Track> states(String instance) {
+        return automata.values().stream()
+                .filter(each -> each.instance().equals(instance))
+                .flatMap(each -> each.tracks().stream())
+                .toList();
+    }
+
+    /** The parts with what they send, then each automaton. */
+    List<Drawing> drawings(RunDrawings pictures) {
+        List<Drawing> drawings = new ArrayList<>();
+        parts.drawing(pictures).ifPresent(drawings::add);
+        automata.values().forEach(each -> each.drawing(pictures).ifPresent(drawings::add));
+        return drawings;
     }
 
     private static Track port(String group, String port, List<Letter> letters) {

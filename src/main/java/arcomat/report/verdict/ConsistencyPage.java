@@ -13,12 +13,14 @@ import arcomat.report.page.Page;
 import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
 import arcomat.report.page.Story.Drawing;
+import arcomat.report.page.Story.Fact;
 import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
-import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.run.RunDrawings;
+import arcomat.report.run.RunFacts;
 import arcomat.report.run.TraceTracks;
 
 import java.util.ArrayList;
@@ -35,10 +37,10 @@ public final class ConsistencyPage {
 
     private final Promise asked;
     private final Contradiction contradiction;
-    private final AutomatonDrawing pictures;
+    private final RunDrawings pictures;
     private final List<Contradiction.Step> steps;
 
-    private ConsistencyPage(Promise asked, Contradiction contradiction, AutomatonDrawing pictures) {
+    private ConsistencyPage(Promise asked, Contradiction contradiction, RunDrawings pictures) {
         this.asked = asked;
         this.pictures = pictures;
         this.contradiction = contradiction;
@@ -50,13 +52,14 @@ public final class ConsistencyPage {
      * @param controller the text of one that keeps them all, where there is one
      */
     public static Page of(Promise asked, Consistency found, Optional<String> controller) {
-        AutomatonDrawing pictures = new AutomatonDrawing();
+        RunDrawings pictures = new RunDrawings();
         List<Story> stories = new ArrayList<>();
         found.contradictions()
                 .forEach(each -> stories.add(new ConsistencyPage(asked, each, pictures).story()));
         if (stories.isEmpty()) {
             stories.add(harmony(asked, found, controller, pictures));
         }
+        stories.replaceAll(each -> each.telling(facts(asked, found)));
         return new Page(
                 "contradictions",
                 asked.title(),
@@ -65,12 +68,28 @@ public final class ConsistencyPage {
                 stories);
     }
 
+    private static List<Fact> facts(Promise asked, Consistency found) {
+        List<Fact> facts = new ArrayList<>();
+        facts.add(
+                Fact.of(
+                        "asked",
+                        "whether all requirements on %s can be kept together, whatever comes in",
+                        asked.title()));
+        facts.add(RunFacts.time(asked.component()));
+        RunFacts.completions(asked.component(), asked.automata()).ifPresent(facts::add);
+        if (!found.contradictions().isEmpty()) {
+            facts.add(
+                    new Fact(
+                            "next",
+                            "each run below shows requirements that cannot be kept together: give"
+                                    + " one of them up, or let it allow more"));
+        }
+        return facts;
+    }
+
     /** The requirements themselves, and what keeps them. */
     private static Story harmony(
-            Promise asked,
-            Consistency found,
-            Optional<String> controller,
-            AutomatonDrawing pictures) {
+            Promise asked, Consistency found, Optional<String> controller, RunDrawings pictures) {
         List<Remark> remarks = new ArrayList<>();
         found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
         if (controller.isPresent()) {
@@ -135,8 +154,8 @@ public final class ConsistencyPage {
                         .map(step -> new Moment(step.input(), sent(step), "", List.of()))
                         .toList();
         return isStraight()
-                ? AutomatonDrawing.way(name, TraceReplay.anywhere(asked, automaton, moments))
-                : AutomatonDrawing.way(name, List.of());
+                ? RunDrawings.way(name, TraceReplay.anywhere(asked, automaton, moments))
+                : RunDrawings.way(name, List.of());
     }
 
     /** What is surely sent; where there are several answers, that is left open. */

@@ -9,7 +9,7 @@ import arcomat.model.Automaton;
 import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
-import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.run.RunDrawings;
 import arcomat.report.run.TraceTracks;
 import arcomat.semantics.expression.Sent;
 
@@ -26,12 +26,12 @@ final class MomentTracks {
     private static final String WAY = " goes";
 
     private final Answered answered;
-    private final AutomatonDrawing pictures;
+    private final RunDrawings pictures;
     private final List<Moment> trace;
     private final List<Track> tracks = new ArrayList<>();
     private final List<Drawing> drawings = new ArrayList<>();
 
-    MomentTracks(Answered answered, AutomatonDrawing pictures) {
+    MomentTracks(Answered answered, RunDrawings pictures) {
         this.answered = answered;
         this.pictures = pictures;
         trace = answered.verdict().trace();
@@ -101,7 +101,7 @@ final class MomentTracks {
             String title = side.component().title(automaton);
             String name = sideName + ": " + title + WAY;
             List<Visited> visited = TraceReplay.of(answered.sides(), position, automaton, trace);
-            tracks.add(AutomatonDrawing.way(name, visited));
+            tracks.add(RunDrawings.way(name, visited));
             nearest(sideName, title, visited);
             drawings.add(
                     pictures.of(

@@ -11,7 +11,7 @@ import arcomat.report.page.Story;
 import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.run.RunDrawings;
 import arcomat.report.text.Style;
 
 import java.util.ArrayList;
@@ -22,24 +22,40 @@ import java.util.OptionalInt;
 public final class VerdictPage {
     private VerdictPage() {}
 
-    /** Of one question. */
+    /** Of one question, with limits that nobody tells. */
     public static Page of(String command, Answered answered) {
+        return of(command, answered, "");
+    }
+
+    /**
+     * Of one question.
+     *
+     * @param limits how long was searched at most, in words
+     */
+    public static Page of(String command, Answered answered, String limits) {
         Verdict verdict = answered.verdict();
         return new Page(
                 command,
                 answered.left() + " and " + answered.right(),
                 tone(verdict.answer()),
                 sentence(answered),
-                List.of(story("", "", answered, new AutomatonDrawing())));
+                List.of(
+                        story("", "", answered, new RunDrawings())
+                                .telling(VerdictFacts.of(answered, limits))));
     }
 
-    /** Of many questions. */
-    public static Page of(String command, String title, List<Answered> answers) {
+    /**
+     * Of many questions.
+     *
+     * @param limits how long was searched at most, in words
+     */
+    public static Page of(String command, String title, List<Answered> answers, String limits) {
         List<Story> stories = new ArrayList<>();
-        AutomatonDrawing pictures = new AutomatonDrawing();
+        RunDrawings pictures = new RunDrawings();
         Answer worst = Answer.HOLDS;
         for (Answered each : answers) {
-            stories.add(story(Terms.name(each), sentence(each), each, pictures));
+            Story story = story(Terms.name(each), sentence(each), each, pictures);
+            stories.add(story.telling(VerdictFacts.of(each, limits)));
             worst = worst.and(each.verdict().answer());
         }
         List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
@@ -61,7 +77,7 @@ public final class VerdictPage {
     }
 
     private static Story story(
-            String title, String headline, Answered answered, AutomatonDrawing pictures) {
+            String title, String headline, Answered answered, RunDrawings pictures) {
         Verdict verdict = answered.verdict();
         MomentTracks tracks = new MomentTracks(answered, pictures);
         List<Moment> trace = verdict.trace();

@@ -9,6 +9,7 @@ import arcomat.semantics.network.Network;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What an automaton reads in one step, by position of the input port. Time-synchronous: the letter
@@ -61,6 +62,11 @@ public final class Input {
 
     Value[] slots() {
         return messages;
+    }
+
+    /** The message on an input port, by its position. */
+    public Optional<Value> message(int port) {
+        return Optional.ofNullable(messages[port]);
     }
 
     @Override

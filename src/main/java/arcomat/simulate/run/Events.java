@@ -37,19 +37,27 @@ public final class Events implements Interpreter.Engine {
 
     private final Network network;
     private final Surroundings surroundings;
+    private final List<Network.External> heard;
     private final List<Mailbox> mailboxes = new ArrayList<>();
     private final List<List<Receiver>> receivers = new ArrayList<>();
     private final List<List<String>> shown = new ArrayList<>();
+    private final List<List<String>> told = new ArrayList<>();
     private Map<String, List<Value>> outputs = new LinkedHashMap<>();
+    private Map<String, List<Value>> between = new LinkedHashMap<>();
     private boolean started;
     private Optional<Letter> opening = Optional.empty();
 
-    Events(Network network, List<Actor> actors) {
+    /**
+     * @param heard ports of parts that are told of
+     */
+    Events(Network network, List<Actor> actors, List<Network.External> heard) {
         this.network = network;
         this.surroundings = new Surroundings(network);
+        this.heard = heard;
         for (int i = 0; i < network.signals(); i++) {
             receivers.add(new ArrayList<>(1));
             shown.add(new ArrayList<>(1));
+            told.add(new ArrayList<>(0));
         }
         for (Actor actor : actors) {
             Mailbox mailbox = new Mailbox(actor);
@@ -62,17 +70,22 @@ public final class Events implements Interpreter.Engine {
                 }
             }
         }
-        for (Network.External external : network.outputs()) {
+        name(network.outputs(), shown);
+        name(heard, told);
+    }
+
+    private static void name(List<Network.External> ports, List<List<String>> bySignal) {
+        for (Network.External external : ports) {
             if (external.signal() != Network.UNCONNECTED) {
-                shown.get(external.signal()).add(external.name());
+                bySignal.get(external.signal()).add(external.name());
             }
         }
     }
 
     @Override
     public Trace.Step step(Letter input, int number) {
-        outputs = new LinkedHashMap<>();
-        network.outputs().forEach(external -> outputs.put(external.name(), new ArrayList<>()));
+        outputs = silent(network.outputs());
+        between = silent(heard);
         List<Trace.Activity> activities = new ArrayList<>();
         if (!started) {
             started = true;
@@ -85,7 +98,13 @@ public final class Events implements Interpreter.Engine {
             input.messages(external.name()).forEach(message -> send(external.signal(), message));
         }
         runToCompletion(number, activities);
-        return new Trace.Step(number, input, new Letter(outputs), activities);
+        return new Trace.Step(number, input, new Letter(outputs), activities, new Letter(between));
+    }
+
+    private static Map<String, List<Value>> silent(List<Network.External> ports) {
+        Map<String, List<Value>> silence = new LinkedHashMap<>();
+        ports.forEach(external -> silence.put(external.name(), new ArrayList<>()));
+        return silence;
     }
 
     @Override
@@ -134,6 +153,7 @@ public final class Events implements Interpreter.Engine {
     @SuppressWarnings("NullAway") // each name that is shown has its list
     private void send(int signal, Value message) {
         shown.get(signal).forEach(name -> outputs.get(name).add(message));
+        told.get(signal).forEach(name -> between.get(name).add(message));
         for (Receiver receiver : receivers.get(signal)) {
             if (receiver.latched) {
                 receiver.mailbox.latched[receiver.port] = message;

@@ -2,6 +2,7 @@ package arcomat.simulate.run;
 
 import arcomat.model.Component;
 import arcomat.model.Letter;
+import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
@@ -82,7 +83,8 @@ public final class Interpreter implements Execution {
 
     /**
      * The same run, told with why no transition was enabled where none was ({@link
-     * Trace.Activity#nearest}), and in a message that says so. To be called before the first step.
+     * Trace.Activity#nearest}), and in a message that says so; and with what parts send ({@link
+     * Trace.Step#between}). To be called before the first step.
      */
     public Interpreter explaining() {
         return new Interpreter(network, choice, decisions, true);
@@ -92,9 +94,27 @@ public final class Interpreter implements Execution {
     private Engine engine() {
         if (engine == null) {
             List<Actor> actors = actors();
-            engine = isTimed() ? new Slices(network, actors) : new Events(network, actors);
+            List<Network.External> heard = explaining ? sent(network) : List.of();
+            engine =
+                    isTimed()
+                            ? new Slices(network, actors, heard)
+                            : new Events(network, actors, heard);
         }
         return engine;
+    }
+
+    /** The ports by which parts send, under their paths. */
+    private static List<Network.External> sent(Network network) {
+        List<Network.External> ports = new ArrayList<>();
+        for (Network.Instance each : network.instances()) {
+            List<Port> outputs = each.component().outputs();
+            for (int i = 0; i < outputs.size() && !each.path().isEmpty(); i++) {
+                Port port = outputs.get(i);
+                String name = each.path() + "." + port.name();
+                ports.add(new Network.External(name, port, each.outputSignals().get(i)));
+            }
+        }
+        return ports;
     }
 
     private List<Actor> actors() {

@@ -17,6 +17,7 @@ public final class Slices implements Interpreter.Engine {
     private final Network network;
     private final List<Actor> actors;
     private final Surroundings surroundings;
+    private final List<Network.External> heard;
 
     /** Per signal the message that is visible in the slice, or null. */
     private final Value[] visible;
@@ -28,9 +29,13 @@ public final class Slices implements Interpreter.Engine {
     private final boolean[] isDelayed;
     private boolean started;
 
-    Slices(Network network, List<Actor> actors) {
+    /**
+     * @param heard ports of parts that are told of
+     */
+    Slices(Network network, List<Actor> actors, List<Network.External> heard) {
         this.network = network;
         this.actors = actors;
+        this.heard = heard;
         this.surroundings = new Surroundings(network);
         this.visible = new Value[network.signals()];
         this.registers = new Value[network.signals()];
@@ -51,7 +56,8 @@ public final class Slices implements Interpreter.Engine {
         for (Actor actor : actors) {
             send(actor.instance(), react(actor, number, activities));
         }
-        Trace.Step step = new Trace.Step(number, input, shown(network.outputs()), activities);
+        Trace.Step step =
+                new Trace.Step(number, input, shown(network.outputs()), activities, shown(heard));
         for (int signal : delayed) {
             visible[signal] = registers[signal];
         }

@@ -37,7 +37,9 @@ class RefusingTest {
     private static final Seeds SEEDS = Seeds.of(1);
 
     private static Recording explained(String name) throws Exception {
-        return Shipped.world(name).explain(SEEDS, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+        return Shipped.world(name)
+                .explain(SEEDS, Laboratory.PATIENCE, Limits.OF_THE_BRICK)
+                .recording();
     }
 
     @Test
@@ -143,7 +145,7 @@ class RefusingTest {
                 @Override
                 public void entered(long time, Object object, String method) {
                     Objects.requireNonNull(refusing.get(robot.name()))
-                            .entered(object, method)
+                            .entered(0, object, method)
                             .ifPresent(
                                     each -> {
                                         said.put(object, each);

@@ -123,6 +123,11 @@ public final class Browser implements AutoCloseable {
         actions.perform();
     }
 
+    /** Takes what a selector finds first, and puts it down so many pixels further below. */
+    public void drag(String selector, int down) {
+        new Actions(driver).dragAndDropBy(find(selector), 0, down).perform();
+    }
+
     /** Whether something is so in some frame: in one that lies within one that a selector finds. */
     public boolean inSomeFrame(String outer, String inner, Supplier<Boolean> question) {
         return findAll(outer).stream().anyMatch(frame -> inFrame(frame, inner, question));

@@ -25,6 +25,11 @@ class PageBrowserTest extends BrowserTest {
         tests.put("keys step and jump", this::keysStepAndJump);
         tests.put("what is written is found", this::whatIsWrittenIsFound);
         tests.put("the picture follows", this::thePictureFollows);
+        tests.put("wires say what they carry", this::wiresSayWhatTheyCarry);
+        tests.put("parts are folded", this::partsAreFolded);
+        tests.put("rows are put in order by hand", this::rowsArePutInOrder);
+        tests.put("a run is played", this::aRunIsPlayed);
+        tests.put("keys work after clicks", this::keysWorkAfterClicks);
         tests.put("hostile texts stay texts", this::hostileTextsStayTexts);
         tests.put("texts can be selected", this::textsCanBeSelected);
         tests.put("100,000 slices", this::longRuns);
@@ -153,6 +158,81 @@ class PageBrowserTest extends BrowserTest {
         assertThat(active()).containsExactly("1");
         browser.press(Keys.HOME);
         assertThat(active()).containsExactly("0");
+    }
+
+    private void wiresSayWhatTheyCarry() throws IOException {
+        open(SamplePages.parts());
+        assertThat(browser.findAll(".connector.live")).isEmpty();
+        browser.press(Keys.ARROW_RIGHT);
+        assertThat(browser.findAll(".connector.live")).hasSize(1);
+        assertThat(browser.text(".carried")).isEqualTo("x");
+        browser.press(Keys.ARROW_RIGHT);
+        assertThat(browser.findAll(".connector.live")).isEmpty();
+        assertThat(browser.text(".carried")).isEmpty();
+    }
+
+    /** Names of rows as they are seen, from above to below. */
+    private List<String> rows() {
+        return browser.findAll(".track .name").stream()
+                .filter(WebElement::isDisplayed)
+                .map(WebElement::getText)
+                .toList();
+    }
+
+    private void partsAreFolded() throws IOException {
+        open(SamplePages.parts());
+        assertThat(rows()).containsExactly("i", "j", "o", "state", "o", "o");
+        browser.findAll("button.group").get(1).click();
+        assertThat(rows()).as("of a part, what it sends").containsExactly("i", "j", "o", "o");
+        assertThat(browser.findAll("button.group").get(1).getDomAttribute("aria-expanded"))
+                .isEqualTo("false");
+        browser.press(Keys.ARROW_DOWN, Keys.ARROW_DOWN, Keys.ARROW_DOWN, "z");
+        assertThat(rows()).as("by a key again").hasSize(6);
+        browser.press("Z");
+        assertThat(rows()).containsExactly("o", "o");
+        browser.run("location.hash = '#1/a.b.o'");
+        browser.await(() -> rows().size() == 4);
+        assertThat(rows()).as("what is asked for").containsExactly("o", "state", "o", "o");
+        browser.picture("folded");
+    }
+
+    private void rowsArePutInOrder() throws IOException {
+        open(SamplePages.parts());
+        browser.press(Keys.ARROW_DOWN, Keys.chord(Keys.ALT, Keys.ARROW_DOWN));
+        assertThat(rows()).startsWith("j", "i", "o");
+        browser.press(Keys.chord(Keys.ALT, Keys.ARROW_DOWN));
+        assertThat(rows()).as("a row stays in its group").startsWith("j", "i", "o");
+        browser.drag(".track .grip", 24);
+        assertThat(rows()).as("by its grip").startsWith("i", "j", "o");
+    }
+
+    private void aRunIsPlayed() throws IOException {
+        open(SamplePages.parts());
+        browser.press(" ");
+        assertThat(browser.text("#play")).isEqualTo("Pause");
+        browser.await(() -> step().equals("3"));
+        browser.await(() -> browser.text("#play").equals("Play"));
+        browser.press(" ");
+        browser.await(() -> step().equals("1"));
+        browser.press(" ");
+        assertThat(browser.text("#play")).isEqualTo("Play");
+    }
+
+    private void keysWorkAfterClicks() throws IOException {
+        open(SamplePages.small());
+        browser.find(".remarks button").click();
+        browser.press(Keys.HOME);
+        assertThat(step()).isEqualTo("0");
+        browser.find("button[title='Last (End)']").click();
+        browser.press(Keys.ARROW_DOWN, Keys.HOME);
+        assertThat(browser.text(".track.selected .name")).isEqualTo("cmd");
+        assertThat(step()).isEqualTo("0");
+        browser.find("button.group").click();
+        browser.press(Keys.END);
+        assertThat(step()).isEqualTo("9");
+        browser.find("#play").click();
+        browser.press(" ");
+        assertThat(browser.text("#play")).isEqualTo("Play");
     }
 
     private List<String> active() {

@@ -6,9 +6,11 @@ import arcomat.report.page.Story.Remark;
 import arcomat.source.SourceFile;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
+import java.util.stream.Stream;
 
 /** Pages made by hand, for tests. */
 final class SamplePages {
@@ -59,6 +61,27 @@ final class SamplePages {
                         timeline,
                         List.of(new Drawing("the robot", svg, List.of("state"))));
         return new Page("simulate", "p.Robot", Tone.BAD, "it fails", List.of(story));
+    }
+
+    /** A part that sends, with a part inside, and a picture of its wire. */
+    static Page parts() {
+        List<Track> tracks =
+                List.of(
+                        Track.of("inputs", "i", Track.Kind.PORT, Stream.of("a", "", "c", "")),
+                        Track.of("inputs", "j", Track.Kind.PORT, Stream.of("", "b", "", "")),
+                        Track.of("part a", "a.o", Track.Kind.PORT, Stream.of("", "x", "", "y")),
+                        Track.of("part a", "a", Track.Kind.STATE, Stream.of("s", "s", "t", "t")),
+                        Track.of("part a.b", "a.b.o", Track.Kind.PORT, Stream.of("1", "", "", "")),
+                        Track.of("part c", "c.o", Track.Kind.PORT, Stream.of("2", "", "", "")));
+        String svg =
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
+                        + " height=\"20\"><g class=\"port\" data-port=\"a.o\"><rect x=\"10\""
+                        + " y=\"5\" width=\"6\" height=\"6\"/></g><g class=\"connector\""
+                        + " data-connector=\"a.o -> c.i\"><path d=\"M16,8 L60,8\"/></g></svg>";
+        Drawing drawing = new Drawing("p.Whole", svg, List.of(), Map.of("a.o", "a.o"));
+        Timeline timeline = new Timeline("slice", 4, List.of(), tracks, List.of());
+        Story story = new Story("", Tone.NEUTRAL, "", List.of(), timeline, List.of(drawing));
+        return new Page("simulate", "p.Whole", Tone.NEUTRAL, "4 slices", List.of(story));
     }
 
     /** Everywhere a text that is up to no good. */

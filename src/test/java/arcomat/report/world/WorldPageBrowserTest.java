@@ -6,11 +6,11 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.world.PrepareWorld;
+import arcomat.pipeline.world.PreparedWorld.Explained;
 import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.page.BrowserTest;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
-import arcomat.world.Recording;
 import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.function.Executable;
@@ -20,6 +20,7 @@ import org.openqa.selenium.WebElement;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** The page that plays a world again, in a browser: play, pause, speed, follow, step. */
 class WorldPageBrowserTest extends BrowserTest {
@@ -32,20 +33,95 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void play() throws WrongUse {
         Session session = Session.in(Path.of(""), Progress.NONE);
-        Recording recording =
+        Explained run =
                 session.run(new PrepareWorld(WORLD, false))
                         .explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK);
-        session.run(new WriteReplay(recording, "the meeting", folder.toString()));
+        session.run(
+                new WriteReplay(
+                        run.recording(),
+                        run.inside(),
+                        Optional.empty(),
+                        "the meeting",
+                        folder.toString()));
         String page = folder.resolve("index.html").toUri().toString();
         browser.open(page, ".floor .robot");
         stepsAndJumps();
         tellsWhyNot();
         plays();
         follows();
+        goesInside();
+        namesAreApart();
         browser.open(page + "?again#7", ".floor .robot");
         assertThat(browser.text("#clock")).startsWith("7.0 s");
         browser.wear("dark");
         browser.picture("world-dark");
+        browser.wear("light");
+        aGhostIsShown(session, run);
+    }
+
+    /** Of the robot that was chosen, at the moment of the floor; and the floor comes along. */
+    private void goesInside() {
+        assertThat(browser.findAll("#inside .choices button"))
+                .extracting(WebElement::getText)
+                .containsExactly("empty", "loaded");
+        browser.press(Keys.HOME);
+        browser.findAll("#inside .choices button").get(1).click();
+        assertThat(browser.findAll("#inside .connector.live")).isNotEmpty();
+        assertThat(browser.findAll("#inside .drawing .state.active")).hasSizeGreaterThan(5);
+        browser.pressWithShift(Keys.ARROW_RIGHT);
+        browser.pressWithShift(Keys.ARROW_RIGHT);
+        assertThat(displays()).containsExactly("driving", "waiting");
+        assertThat(browser.findAll("#inside .drawing .state.active text"))
+                .extracting(WebElement::getText)
+                .contains("waiting");
+        String clock = browser.text("#clock");
+        browser.find("#inside .track .lane").click();
+        assertThat(browser.text("#clock")).isNotEqualTo(clock);
+        browser.picture("world-inside");
+    }
+
+    private static final String WHEN_NAMES_MEET =
+            """
+            const slider = document.getElementById("moment");
+            for (let time = 0; time <= 22000; time += 250) {
+              slider.value = time;
+              slider.dispatchEvent(new Event("input"));
+              const [one, other] = [...document.querySelectorAll(".floor > text")].map((each) => each.getBoundingClientRect());
+              if (one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom) {
+                return time;
+              }
+            }
+            return -1;
+            """;
+
+    private void namesAreApart() {
+        assertThat(browser.run(WHEN_NAMES_MEET)).as("milliseconds").isEqualTo(-1L);
+    }
+
+    private void aGhostIsShown(Session session, Explained run) throws WrongUse {
+        Ghost same = Ghost.read(WorldJson.render(run.recording()), "before").orElseThrow();
+        List<List<Double>> first = same.frames().get(0);
+        List<List<List<Double>>> standing = same.frames().stream().map(each -> first).toList();
+        Ghost other = new Ghost("standing", same.period(), same.robots(), standing);
+        for (Ghost each : List.of(same, other)) {
+            session.run(
+                    new WriteReplay(
+                            run.recording(),
+                            List.of(),
+                            Optional.of(each),
+                            "the meeting",
+                            folder.toString()));
+            String page = folder.resolve("index.html").toUri() + "?" + each.label() + "#7";
+            browser.open(page, ".floor .ghost");
+            assertThat(browser.findAll(".floor .ghost")).hasSize(2);
+            assertThat(browser.find("#inside").isDisplayed()).as("without models").isFalse();
+            assertThat(browser.text(".ghost-note"))
+                    .matches(
+                            each == same
+                                    ? "dashed: before, seed 1; all go the same way"
+                                    : "dashed: standing; they part at 0\\.\\d s");
+        }
+        browser.picture("world-ghost");
     }
 
     private void stepsAndJumps() {
@@ -86,17 +162,17 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void plays() {
         browser.run("document.activeElement.blur()");
-        browser.press(Keys.HOME, "+", "+", "+", "+", Keys.SPACE);
-        assertThat(browser.text("#play")).isEqualTo("Pause");
+        browser.press(Keys.HOME, "-", Keys.SPACE);
+        browser.await(() -> browser.text("#play").equals("Pause"));
         browser.await(() -> seconds() > 2);
         browser.press(Keys.SPACE);
-        assertThat(browser.text("#play")).isEqualTo("Play");
+        browser.await(() -> browser.text("#play").equals("Play"));
         double stopped = seconds();
         browser.run(
                 "return new Promise((done) => requestAnimationFrame(() =>"
                         + " requestAnimationFrame(done)))");
         assertThat(seconds()).isEqualTo(stopped);
-        assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("16");
+        assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("0.5");
     }
 
     private double seconds() {

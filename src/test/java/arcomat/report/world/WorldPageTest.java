@@ -57,7 +57,7 @@ class WorldPageTest {
 
     @Test
     void textsOfProgramsStayTexts() throws IOException {
-        String page = WorldPage.render(recording(), NASTY);
+        String page = WorldPage.render(recording(), List.of(), NASTY);
         assertThat(page).doesNotContain(NASTY).doesNotContain("<b>");
         Matcher data = DATA.matcher(page);
         assertThat(data.find()).isTrue();
@@ -76,7 +76,7 @@ class WorldPageTest {
 
     @Test
     void nothingIsLoaded() {
-        String page = WorldPage.render(recording(), "a world");
+        String page = WorldPage.render(recording(), List.of(), "a world");
         assertThat(page)
                 .contains("default-src 'none'")
                 .doesNotContain(" src=")

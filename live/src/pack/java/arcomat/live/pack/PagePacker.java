@@ -33,7 +33,21 @@ public final class PagePacker {
                     "picture",
                     "run",
                     "prove",
+                    "floor",
                     "main");
+
+    /** What plays runs on pages of {@code arcomat world}, in the order in which it is used. */
+    private static final List<String> REPLAY =
+            List.of(
+                    "elements",
+                    "replay/recording",
+                    "replay/labels",
+                    "replay/ghost",
+                    "replay/floor",
+                    "replay/cards",
+                    "replay/happenings",
+                    "replay/player",
+                    "replay/stage");
 
     /** Libraries that ask for each other by name; in their jars, by the ends of their paths. */
     private static final Map<String, String> LIBRARIES = libraries();
@@ -62,7 +76,7 @@ public final class PagePacker {
 
     /**
      * @param args the folder of the page's sources; the core; style sheets; jars with libraries;
-     *     the file to write
+     *     the folder of what pages of reports have; the file to write
      */
     public static void main(String[] args) throws IOException {
         Path sources = Path.of(args[0]);
@@ -71,6 +85,10 @@ public final class PagePacker {
         for (Path sheet : paths(args[2])) {
             styles.append(Files.readString(sheet));
         }
+        Path report = Path.of(args[4]);
+        styles.append(Files.readString(report.resolve("replay/floor.css")));
+        // Its rules are for a page of its own; here they hold in one view.
+        styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
         styles.append(Files.readString(sources.resolve("live.css")));
         List<String> scripts = new ArrayList<>();
         scripts.add(kept("code-core", Files.readString(Path.of(args[1]))));
@@ -80,12 +98,13 @@ public final class PagePacker {
         scripts.add("<script id=\"models\" type=\"application/json\">" + example + "</script>");
         scripts.add(kept("licence", read(jars, "codemirror__view", "LICENSE")));
         scripts.add(script("", bundle(jars)));
+        scripts.add(script("", replay(report)));
         scripts.add(script(" type=\"module\"", modules(sources)));
         String page =
                 Files.readString(sources.resolve("page.html"))
                         .replace("@styles@", styles)
                         .replace("@scripts@", String.join("\n", scripts));
-        Files.writeString(Path.of(args[4]), page);
+        Files.writeString(Path.of(args[5]), page);
     }
 
     private static List<Path> paths(String list) {
@@ -108,6 +127,15 @@ public final class PagePacker {
                             .collect(Collectors.joining("\n", "", "\n")));
         }
         return all.toString();
+    }
+
+    /** Scripts that know each other by name, and of which the page needs two. */
+    private static String replay(Path report) throws IOException {
+        StringBuilder all = new StringBuilder("const replay = (() => {\n");
+        for (String name : REPLAY) {
+            all.append(Files.readString(report.resolve(name + ".js")));
+        }
+        return all.append("return { Recording, Stage };\n})();\n").toString();
     }
 
     /** Libraries as functions that are called where somebody first asks for them. */

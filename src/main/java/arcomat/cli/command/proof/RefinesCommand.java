@@ -132,8 +132,8 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
         report.write(
                 () ->
                         answers.size() == 1
-                                ? VerdictPage.of("refines", answers.get(0))
-                                : VerdictPage.of("refines", title(), answers),
+                                ? VerdictPage.of("refines", answers.get(0), limitsInWords())
+                                : VerdictPage.of("refines", title(), answers, limitsInWords()),
                 session);
     }
 

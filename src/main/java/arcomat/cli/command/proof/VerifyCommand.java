@@ -61,7 +61,8 @@ public final class VerifyCommand extends LimitedCommand {
         }
         List<Answered> answers = reply.value().get();
         reports.writePage(
-                () -> VerdictPage.of("verify", String.join(", ", paths), answers), session);
+                () -> VerdictPage.of("verify", String.join(", ", paths), answers, limitsInWords()),
+                session);
         Aside aside = reply.check().aside();
         reports.write(
                 new CommandResults(

@@ -177,8 +177,25 @@ public final class SimulateCommand extends Command {
             return reportErrors(reply.check());
         }
         Run run = reply.value().get();
-        report.write(() -> TracePage.of(run.trace(), run.watched()), session);
+        report.write(() -> TracePage.of(run.trace(), run.watched(), how()), session);
         return report(run);
+    }
+
+    /** What was asked, for who looks at the page. */
+    private String how() {
+        String came = input == null ? "letters drawn with seed " + seed : "the input of " + input;
+        String chosen =
+                switch (choose) {
+                    case first -> "the first choice";
+                    case random -> "choices drawn with seed " + seed;
+                    case ask -> "choices of a person";
+                };
+        String watched = monitors.isEmpty() ? "" : ", watched for " + String.join(", ", monitors);
+        return "a run over " + came + ", with " + chosen + ", by the " + engine() + watched;
+    }
+
+    private String engine() {
+        return engine == Engine.compiled ? "compiled code" : "interpreter";
     }
 
     private void requireExplainable() throws WrongUse {

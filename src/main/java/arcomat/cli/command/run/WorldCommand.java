@@ -12,10 +12,12 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.ReportPage;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
+import arcomat.pipeline.world.PreparedWorld.Explained;
 import arcomat.pipeline.world.WriteAnimation;
 import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
+import arcomat.report.world.Ghost;
 import arcomat.report.world.WorldRunJson;
 import arcomat.report.world.WorldText;
 import arcomat.sim.time.OutOfPatience;
@@ -28,6 +30,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
+import java.util.Optional;
 
 /** {@code arcomat world}: robots on a floor. */
 @CommandLine.Command(
@@ -38,6 +41,7 @@ import java.util.List;
             "  arcomat world models/coffee/world/meeting.world",
             "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
             "  arcomat world models/coffee/world/meeting.world --runs 100",
+            "  arcomat world yard.world --seed 2 --report two --ghost one/recording.json",
             "  arcomat world yard.world --set speed=200 --set light=2.5",
             "",
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
@@ -60,6 +64,14 @@ public final class WorldCommand extends Command {
             description =
                     "Write a page that plays the run again, DIR/index.html, and the recording.")
     private String report;
+
+    @Option(
+            names = "--ghost",
+            paramLabel = "RECORDING.json",
+            description =
+                    "Show another run on the floor of the page, of another seed or another version:"
+                            + " the recording that --report has written of it.")
+    private String ghost;
 
     @Option(
             names = "--animation",
@@ -116,6 +128,13 @@ public final class WorldCommand extends Command {
             throw new WrongUse(
                     "--format json tells one run; 'arcomat campaign' has tables of many");
         }
+        if (ghost != null && report == null) {
+            throw new WrongUse("--ghost is shown on a page; say where it goes with --report DIR");
+        }
+        Optional<Ghost> other = Optional.empty();
+        if (ghost != null) {
+            other = Optional.of(WriteReplay.ghost(ghost, session));
+        }
         Seeds drawn = seeds.seeds();
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
@@ -127,21 +146,25 @@ public final class WorldCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         try {
-            return runs == 1 ? runOnce(prepared, drawn, session) : runOften(prepared);
+            return runs == 1 ? runOnce(prepared, drawn, other, session) : runOften(prepared);
         } catch (OutOfPatience e) {
             return BrickRunOptions.gaveUp(e, console());
         }
     }
 
-    private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
-        Recording recording =
+    private int runOnce(PreparedWorld prepared, Seeds drawn, Optional<Ghost> other, Session session)
+            throws WrongUse {
+        Explained run =
                 report == null
-                        ? prepared.run(drawn, bricks.patience(), bricks.limits())
+                        ? new Explained(
+                                prepared.run(drawn, bricks.patience(), bricks.limits()), List.of())
                         : prepared.explain(drawn, bricks.patience(), bricks.limits());
+        Recording recording = run.recording();
         tell(recording, prepared);
         String title = world + ", " + seeds.shown() + set.shown();
         if (report != null) {
-            tellWritten(session.run(new WriteReplay(recording, title, report)));
+            tellWritten(
+                    session.run(new WriteReplay(recording, run.inside(), other, title, report)));
         }
         if (animation != null) {
             tellWritten(session.run(new WriteAnimation(recording, title, animation)));

@@ -1,0 +1,66 @@
+package arcomat.pipeline.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Trace;
+import arcomat.report.world.PacketWords;
+import arcomat.report.world.RobotRun;
+import arcomat.sim.Laboratory;
+import arcomat.sim.device.Limits;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.world.Seeds;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** What goes on inside of robots, as the page of a world tells it, is what their models do. */
+class RobotRunTest {
+    private static List<RobotRun> inside(String world) throws Exception {
+        return Shipped.world(world)
+                .explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK)
+                .inside();
+    }
+
+    @Test
+    void theInterpreterDoesTheSameInTheMeeting() throws Exception {
+        List<RobotRun> inside = inside(Shipped.MEETING);
+        assertThat(inside).extracting(RobotRun::robot).containsExactly("empty", "loaded");
+        inside.forEach(RobotRunTest::isWhatItsModelDoes);
+    }
+
+    @Test
+    void theInterpreterDoesTheSameInTheService() throws Exception {
+        List<RobotRun> inside = inside(Shipped.SERVICE);
+        assertThat(inside)
+                .extracting(RobotRun::robot)
+                .containsExactlyInAnyOrder("courier", "dispenser", "preparer");
+        inside.forEach(RobotRunTest::isWhatItsModelDoes);
+        packetsAreToldByTheirConstants(PacketWords.of(inside));
+    }
+
+    private static void isWhatItsModelDoes(RobotRun run) {
+        Trace told = run.trace();
+        assertThat(told.steps()).hasSizeGreaterThan(100);
+        assertThat(run.times()).hasSameSizeAs(told.steps()).isSorted();
+        Interpreter interpreter =
+                new Interpreter(told.component(), List.of(), Choice.first()).explaining();
+        Trace interpreted = Simulation.run(interpreter, told.received());
+        for (int step = 0; step < told.steps().size(); step++) {
+            assertThat(interpreted.steps().get(step))
+                    .as("%s, slice %d", run.robot(), step)
+                    .isEqualTo(told.steps().get(step));
+        }
+    }
+
+    private static void packetsAreToldByTheirConstants(PacketWords words) {
+        assertThat(words.of("preparer", "0000000001")).contains("hold");
+        assertThat(words.of("preparer", "0000000002")).contains("go");
+        assertThat(words.of("preparer", "0000000003")).isEmpty();
+        assertThat(words.of("preparer", "0100000001")).as("another channel").isEmpty();
+        assertThat(words.of("courier", "0000000001")).as("who sends nothing").isEmpty();
+        assertThat(words.of("preparer", "00")).isEmpty();
+    }
+}
