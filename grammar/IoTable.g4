@@ -7,7 +7,7 @@ grammar IoTable;
 import Automaton;
 
 ioTable
-    : stereotypes? 'table' '{' tableInputs? tableOutputs? row* '}'
+    : stereotypes? keyword = 'table' open = '{' tableInputs? tableOutputs? row* '}'
     ;
 
 tableInputs

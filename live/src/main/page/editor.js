@@ -72,6 +72,40 @@ const language = StreamLanguage.define({
     languageData: { commentTokens: { line: '//', block: { open: '/*', close: '*/' } } },
 });
 
+const WORLD_WORDS = new Set(('at bend body brews bumper chute component coffee cup cups device diameter distance drinker every '
+    + 'facing feeler finger floor goal heading holder in jar kind lamp light line magazine noise none parameter place program '
+    + 'ring robot robots seconds slide step track ultrasonic wall wheels width with').split(' '));
+
+const worldLanguage = StreamLanguage.define({
+    name: 'world',
+    token(stream) {
+        if (stream.eatSpace()) {
+            return null;
+        }
+        if (stream.match('#')) {
+            stream.skipToEnd();
+            return 'comment';
+        }
+        if (stream.match(/^-?\.?\d[\w.]*/)) {
+            return 'number';
+        }
+        if (stream.match(/^\$\w+/)) {
+            return 'atom';
+        }
+        const word = stream.match(/^[\p{L}\p{N}_.]+/u);
+        if (word) {
+            return WORLD_WORDS.has(word[0]) ? 'keyword' : null;
+        }
+        stream.next();
+        return null;
+    },
+    languageData: { commentTokens: { line: '#' } },
+});
+
+function languageOf(path) {
+    return path.endsWith('.world') ? worldLanguage : language;
+}
+
 const colours = HighlightStyle.define([
     { tag: tags.keyword, class: 'w-keyword' },
     { tag: tags.comment, class: 'w-comment' },
@@ -158,7 +192,7 @@ export class Editor {
         this.extensions = [
             lineNumbers(), highlightSpecialChars(), undoHistory(), drawSelection(),
             bracketMatching(), closeBrackets(), highlightActiveLine(), lintGutter(), told,
-            EditorState.tabSize.of(4), indentUnit.of('    '), language, syntaxHighlighting(colours),
+            EditorState.tabSize.of(4), indentUnit.of('    '), syntaxHighlighting(colours),
             autocompletion({ override: [(context) => this.offers(context)], icons: false }),
             hoverTooltip((view, at) => this.facts(at)),
             keymap.of([
@@ -192,6 +226,7 @@ export class Editor {
                 doc: text,
                 extensions: [
                     this.extensions,
+                    languageOf(path),
                     EditorView.contentAttributes.of({ 'aria-label': 'Text of ' + path }),
                 ],
             }));
@@ -225,7 +260,7 @@ export class Editor {
     /** What could be written here, as editors offer it: names first, then words, then whole pieces. */
     async offers(context) {
         const asked = WORD_BEFORE.exec(context.state.sliceDoc(Math.max(0, context.pos - 1), context.pos));
-        if (!context.explicit && !asked) {
+        if (!context.explicit && !asked || languageOf(this.path) !== language) {
             return null;
         }
         const found = await this.ask('complete', this.path, context.state.doc.toString(), context.pos);
@@ -246,6 +281,9 @@ export class Editor {
 
     /** What is known of the name at a place, as editors show it. */
     async facts(at) {
+        if (languageOf(this.path) !== language) {
+            return null;
+        }
         const found = await this.ask('facts', this.path, at);
         return found.text === undefined ? null : {
             pos: found.start,

@@ -5,9 +5,13 @@ import { Desk, Layout } from './desk.js';
 import { Editor } from './editor.js';
 import { button, byId, make } from './elements.js';
 import { showFindings } from './findings.js';
+import { FloorView } from './floor.js';
 import { draw, hang } from './picture.js';
 import { ProveView, fill } from './prove.js';
 import { RunView } from './run.js';
+
+/** In the order of their tabs. */
+const VIEWS = ['see', 'run', 'prove', 'floor'];
 
 /** So many files have a button each. */
 const FEW = 7;
@@ -26,22 +30,27 @@ class Page {
         this.editor = new Editor(byId('editor'), (text) => this.typed(text), (at) => this.moved(at), (...question) => this.ask(...question).then(JSON.parse));
         this.run = new RunView(byId('run'), this);
         this.prove = new ProveView(byId('prove'), this);
+        this.floor = new FloorView(byId('floor'), this);
         this.wanted = start.component || '';
         if (start.run) {
             this.run.restore(start.run);
+        }
+        if (start.floor) {
+            this.floor.restore(start.floor);
         }
         this.changed = addressWriter(() => this.state());
         this.listen();
         this.showFiles();
         this.openFile(this.open);
         this.select(this.view, false);
+        this.floor.show();
         this.check();
     }
 
     state() {
         return {
             files: this.files, needed: this.needed, open: this.open, view: this.view,
-            component: byId('component').value, run: this.run.state(),
+            component: byId('component').value, run: this.run.state(), floor: this.floor.state(),
         };
     }
 
@@ -67,15 +76,15 @@ class Page {
     }
 
     key(event) {
-        const typing = event.target.closest('.cm-editor, input[type=text], textarea');
+        const typing = event.target.closest('.cm-editor, input[type=text], input[type=number], textarea');
         if (event.key === '?' && !typing) {
             byId('help').showModal();
-        } else if (event.altKey && '1234'.includes(event.key) && event.key !== '') {
+        } else if (event.altKey && '12345'.includes(event.key) && event.key !== '') {
             event.preventDefault();
             if (event.key === '1') {
                 this.editor.focus();
             } else {
-                this.select(['see', 'run', 'prove'][Number(event.key) - 2], true);
+                this.select(VIEWS[Number(event.key) - 2], true);
                 byId(this.view).focus();
             }
         }
@@ -190,6 +199,8 @@ class Page {
             fill(byId('component'), shown);
             this.prove.offer(this.components);
             this.refresh();
+        } else if (this.view === 'floor') {
+            this.floor.show();
         }
     }
 
@@ -261,13 +272,13 @@ class Page {
 
     select(view, byHand) {
         this.view = view;
-        for (const each of ['see', 'run', 'prove']) {
+        for (const each of VIEWS) {
             byId(each).hidden = each !== view;
             const tab = byId('tab-' + each);
             tab.setAttribute('aria-selected', String(each === view));
             tab.tabIndex = each === view ? 0 : -1;
         }
-        document.querySelector('.chooser').hidden = view === 'prove';
+        document.querySelector('.chooser').hidden = ['prove', 'floor'].includes(view);
         if (byHand) {
             this.refresh();
         }
@@ -289,6 +300,8 @@ class Page {
                 await this.see(name);
             } else if (this.view === 'run') {
                 await this.run.show(name);
+            } else if (this.view === 'floor') {
+                this.floor.show();
             }
         });
         this.changed();

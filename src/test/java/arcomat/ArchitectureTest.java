@@ -52,6 +52,9 @@ class ArchitectureTest {
                     Map.entry("symbols", row("tree")),
                     Map.entry("check", row("symbols tree")),
                     Map.entry("guest", row("check tree model")),
+                    // What every guest may know, and nothing else.
+                    Map.entry("table", row("guest")),
+                    Map.entry("translate", row("guest table syntax symbols tree")),
                     Map.entry("lower", row("model symbols tree")),
                     Map.entry("semantics", row("model rt")),
                     Map.entry(
@@ -73,7 +76,8 @@ class ArchitectureTest {
                     Map.entry(
                             "pipeline",
                             row(
-                                    "syntax tree symbols check guest lower model semantics analysis"
+                                    "syntax tree symbols check guest translate lower model"
+                                            + " semantics analysis"
                                             + " simulate generate diagram report brick rt sim world"
                                             + " campaign",
                                     "org.eclipse.jdt",
@@ -86,7 +90,7 @@ class ArchitectureTest {
                     Map.entry(
                             "editor",
                             row(
-                                    "pipeline syntax tree symbols check guest report",
+                                    "pipeline syntax tree symbols check guest translate report",
                                     "org.eclipse.lsp4j",
                                     "com.google.gson")),
                     // Of the editor's protocol only what agents speak as well: JSON-RPC.

@@ -7,7 +7,7 @@ component BadDoorbell {
     state idle;
     initial idle;
     idle {button == true, door == true} / {bell = true};
-//       ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this waits for 'button', 'door' at once; split the transition, or mark a port whose last value is meant with <<state>>
+//       ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this waits for 'button', 'door' at once; write one for each, or mark a port whose last value is meant with <<state>>
   }
 }
 
@@ -33,7 +33,7 @@ component NoEvent {
     initial idle;
     idle -> ringing {button == true} / {bell = true};
     ringing -> idle / {bell = false};
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: a transition of an untimed component waits for an event; name the message that triggers it
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component does nothing without an event; name the message that triggers this
   }
 }
 
@@ -46,7 +46,7 @@ component LatchedOnly {
     state idle;
     initial idle;
     idle {door == true} / {bell = true};
-//       ~~~~~~~~~~~~~~ error ARC0320: a transition of an untimed component waits for an event; name the message that triggers it
+//       ~~~~~~~~~~~~~~ error ARC0320: an untimed component does nothing without an event; name the message that triggers this
   }
 }
 
@@ -61,8 +61,8 @@ component BadTable {
     | true | --    | 3 | => | true  |;
     | *    | false | * | => | false |;
     | true | true  | * | => | true  |;
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this row waits for 'button', 'door' at once; write a row for each
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this waits for 'button', 'door' at once; write one for each, or mark a port whose last value is meant with <<state>>
     | *    | --    | 3 | => | false |;
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: a row of an untimed component waits for an event; name the message in one of its input cells
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component does nothing without an event; name the message that triggers this
   }
 }

@@ -3,7 +3,7 @@
 //  ~~~~~ error ARC0503: stereotype 'total' means nothing on a component; it belongs on a port
   port <<layer = "sensors">> in Boolean i, <<omitted = "free">> out Boolean o;
 //       ~~~~~~~~~~~~~~~~~ error ARC0503
-//                                           ~~~~~~~~~~~~~~~~ error ARC0503: stereotype 'omitted' means nothing on a port; it belongs on an automaton or an I/O table
+//                                           ~~~~~~~~~~~~~~~~ error ARC0503: stereotype 'omitted' means nothing on a port; it belongs on a behaviour
 
   <<deploy>> automaton {
 //  ~~~~~~ error ARC0503

@@ -46,3 +46,15 @@ component Twice {
     | true | false | => | 0 |;
   }
 }
+
+//// GoodKeys.arc
+component GoodKeys {
+  port in Boolean key[3], out Integer speed;
+
+  table {
+    in key[0x0], key[ 1 ], key[02];
+    out speed;
+    | true | *    | "a|b;" == "=>" |  => | 0 |; // a row | with signs => in it;
+    | *    | /* | ; => */ true | * | => | 1 |;
+  }
+}

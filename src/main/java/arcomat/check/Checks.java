@@ -70,9 +70,8 @@ public final class Checks {
         if (!book.guests().isEmpty()) {
             found.addAll(
                     ReadBehaviours.by(book.guests()).findings(workspace, profile, wanted, goOn));
-            ForeignText foreign = ForeignText.in(workspace);
-            found.replaceAll(foreign::withoutRepair);
         }
+        found.replaceAll(ForeignText.around(found, workspace)::told);
         List<Law> asked = new ArrayList<>(book.own());
         for (GuestLaws guest : book.guests()) {
             GuestReview.Outcome outcome =
@@ -93,7 +92,9 @@ public final class Checks {
             Workspace workspace, Profile profile, Predicate<Unit> wanted, Runnable goOn) {
         Stream<Consumer<Walk>> steps = Walk.steps(workspace, wanted).stream();
         Walk walk = walk(steps, LawBook.OWN, workspace, profile, goOn);
-        return review(workspace, profile, walk.suppressions(), found(walk), LawBook.OWN.own());
+        List<Diagnostic> found = found(walk);
+        found.replaceAll(ForeignText.around(found, workspace)::told);
+        return review(workspace, profile, walk.suppressions(), found, LawBook.OWN.own());
     }
 
     private static Walk walk(
@@ -141,9 +142,11 @@ public final class Checks {
      * @param units the files that parse
      * @param brokenFiles paths of those that do not
      * @param others outlines of files that are not looked at
+     * @param reader of behaviours that are not read yet
      */
     public static Review reviewRecovered(
             LawBook book,
+            BehaviourReader reader,
             List<Recovered> files,
             List<Unit> units,
             Set<String> brokenFiles,
@@ -152,8 +155,7 @@ public final class Checks {
         if (files.isEmpty()) {
             return new Review(List.of(), List.of());
         }
-        Workspace around =
-                Workspace.around(parts(files), units, brokenFiles, others, book.reader());
+        Workspace around = Workspace.around(parts(files), units, brokenFiles, others, reader);
         Set<String> paths = paths(files);
         Review all =
                 review(book, around, profile, unit -> paths.contains(unit.file().path()), () -> {});
@@ -162,12 +164,15 @@ public final class Checks {
 
     /** The same by the tool's own laws and without a further thread. */
     public static Review reviewRecoveredAlone(
-            List<Recovered> files, List<Unit> units, Set<String> brokenFiles, Profile profile) {
+            BehaviourReader reader,
+            List<Recovered> files,
+            List<Unit> units,
+            Set<String> brokenFiles,
+            Profile profile) {
         if (files.isEmpty()) {
             return new Review(List.of(), List.of());
         }
-        Workspace around =
-                Workspace.around(parts(files), units, brokenFiles, List.of(), BehaviourReader.NONE);
+        Workspace around = Workspace.around(parts(files), units, brokenFiles, List.of(), reader);
         Set<String> paths = paths(files);
         Predicate<Unit> wanted = unit -> paths.contains(unit.file().path());
         return sure(reviewAlone(around, profile, wanted, () -> {}), files, LawBook.OWN);

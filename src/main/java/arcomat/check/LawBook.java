@@ -7,6 +7,7 @@ import arcomat.check.behaviour.item.ItemLaws;
 import arcomat.check.behaviour.total.TotalLaws;
 import arcomat.check.diagrams.DiagramLaws;
 import arcomat.check.guest.GuestLaws;
+import arcomat.check.language.LanguageLaws;
 import arcomat.check.law.Law;
 import arcomat.check.naming.NamingLaws;
 import arcomat.check.refinement.RefinementLaws;
@@ -55,6 +56,7 @@ public record LawBook(List<Law> own, List<GuestLaws> guests) {
                                 ItemLaws.LAWS,
                                 TotalLaws.LAWS,
                                 RefinementLaws.LAWS,
+                                LanguageLaws.LAWS,
                                 StereotypeLaws.all(codes::contains),
                                 DiagramLaws.LAWS,
                                 TestLaws.LAWS)

@@ -78,6 +78,11 @@ public interface BehaviourLanguage {
      * @param body the text between the braces; comments are in it
      */
     record Written(Span keyword, Optional<Name> name, Span body) {
+        /** From the word to the brace that ends it. */
+        public Span whole() {
+            return new Span(body.file(), keyword.start(), body.end() + 1);
+        }
+
         /** A part of the body, by offsets in its text. */
         public Span part(int start, int end) {
             return new Span(body.file(), body.start() + start, body.start() + end);

@@ -65,7 +65,7 @@ final class ActionLowering implements ActionSymbol.Cases<List<ActionPath>> {
     private ActionPath send(ActionPath path, PortSymbol symbol, ItemSymbol item) {
         Port port = Objects.requireNonNull(environment.ports().get(symbol.name()));
         ValueLowering values = new ValueLowering(new ExpressionLowering(environment));
-        return path.sending(values.send(port, item.value()).orElseThrow());
+        return path.sending(values.send(port, item.value()));
     }
 
     private ActionPath assign(ActionPath path, VariableSymbol symbol, ItemSymbol item) {

@@ -29,6 +29,7 @@ final class AutomatonLowering {
     private final List<Variable> variables;
     private final ExpressionLowering expressions;
     private final ValueLowering values;
+    private final Turns turns = new Turns();
 
     /**
      * @param outer what the component around it gives: ports, parameters, constants
@@ -105,12 +106,10 @@ final class AutomatonLowering {
             List<Expression> conditions,
             List<Automaton.Send> sends,
             List<Automaton.Assignment> assignments) {
-        List<Automaton.Match> matches = new ArrayList<>();
-        List<Expression> guards = new ArrayList<>();
-        transition.guard().ifPresent(g -> guards.add(expressions.lower(g.expression())));
-        for (ItemSymbol item : transition.input()) {
-            addCondition(item, matches, guards);
-        }
+        Demand demand = demand(transition);
+        List<Automaton.Match> matches = demand.matches();
+        List<Expression> guards = new ArrayList<>(demand.guards());
+        guards.addAll(turns.denials(transition.node(), demand));
         guards.addAll(conditions);
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
@@ -123,16 +122,18 @@ final class AutomatonLowering {
                 transition.node().span());
     }
 
-    private void addCondition(
-            ItemSymbol item, List<Automaton.Match> matches, List<Expression> guards) {
-        ValueSymbol target = target(item);
-        if (target instanceof PortSymbol port) {
-            Optional<InputCondition> condition = values.condition(port(port), item.value());
-            condition.flatMap(InputCondition::match).ifPresent(matches::add);
-            condition.filter(c -> c.match().isEmpty()).ifPresent(c -> guards.add(c.guard()));
-        } else {
-            guards.add(values.comparison(read(target, item), item.value()));
+    private Demand demand(TransitionSymbol transition) {
+        Demand demand = new Demand();
+        transition.guard().ifPresent(g -> demand.add(expressions.lower(g.expression())));
+        for (ItemSymbol item : transition.input()) {
+            ValueSymbol target = target(item);
+            if (target instanceof PortSymbol port) {
+                demand.add(values.condition(port(port), item.value()));
+            } else {
+                demand.add(values.comparison(read(target, item), item.value()));
+            }
         }
+        return demand;
     }
 
     private Expression read(ValueSymbol target, ItemSymbol item) {
@@ -148,7 +149,7 @@ final class AutomatonLowering {
         List<Automaton.Send> sends = new ArrayList<>();
         for (ItemSymbol item : items) {
             if (target(item) instanceof PortSymbol port) {
-                values.send(port(port), item.value()).ifPresent(sends::add);
+                sends.add(values.send(port(port), item.value()));
             }
         }
         return sends;

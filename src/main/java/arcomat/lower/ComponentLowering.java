@@ -124,10 +124,9 @@ final class ComponentLowering {
     }
 
     private static List<Automaton> automata(ComponentSymbol symbol, Environment environment) {
-        List<Automaton> automata = new ArrayList<>();
-        symbol.automata().forEach(a -> automata.add(new AutomatonLowering(a, environment).lower()));
-        symbol.tables().forEach(t -> automata.add(new TableLowering(t, environment).lower()));
-        return automata;
+        return symbol.automata().stream()
+                .map(each -> new AutomatonLowering(each, environment).lower())
+                .toList();
     }
 
     private static List<String> refines(ComponentSymbol symbol) {

@@ -2,6 +2,8 @@ package arcomat.lower;
 
 import arcomat.model.Expression;
 import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.source.Span;
 
 import java.util.List;
 
@@ -23,6 +25,11 @@ final class Connectives {
 
     static Expression not(Expression operand) {
         return new Expression.Unary(Expression.UnaryOperator.NOT, operand, BOOLEAN, operand.span());
+    }
+
+    /** What is never true. */
+    static Expression never(Span place) {
+        return new Expression.Constant(new Value.BooleanValue(false), BOOLEAN, place);
     }
 
     static Expression equal(Expression left, Expression right) {

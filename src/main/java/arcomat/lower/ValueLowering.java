@@ -10,18 +10,13 @@ import arcomat.tree.Block;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
-/** Right-hand sides of items, and cells of tables. */
+/** Right-hand sides of items. */
 record ValueLowering(ExpressionLowering expressions) {
 
-    /** What a value on the input side asks of a port; empty for {@code *}. */
-    Optional<InputCondition> condition(Port port, ItemValue value) {
-        if (value.node() instanceof Block.DontCare) {
-            return Optional.empty();
-        }
-        return Optional.of(
-                new InputCondition(port, patterns(port.type(), value), value.node().span()));
+    /** What a value on the input side asks of a port. */
+    InputCondition condition(Port port, ItemValue value) {
+        return new InputCondition(port, patterns(port.type(), value), value.node().span());
     }
 
     private List<Automaton.Pattern> patterns(Type type, ItemValue value) {
@@ -58,11 +53,9 @@ record ValueLowering(ExpressionLowering expressions) {
         return Connectives.disjunction(equal);
     }
 
-    /** What a value on the output side sends; empty for {@code *}, which leaves the port out. */
-    Optional<Automaton.Send> send(Port port, ItemValue value) {
-        return value.node() instanceof Block.DontCare
-                ? Optional.empty()
-                : Optional.of(new Automaton.Send(port, emission(port.type(), value)));
+    /** What a value on the output side sends. */
+    Automaton.Send send(Port port, ItemValue value) {
+        return new Automaton.Send(port, emission(port.type(), value));
     }
 
     private Automaton.Emission emission(Type type, ItemValue value) {

@@ -72,9 +72,10 @@ public final class Workspace {
     /**
      * @param brokenFiles paths of files that did not parse; names that they should define are
      *     excused
+     * @param reader of behaviours that are not read yet
      */
-    public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
-        return of(units, brokenFiles, List.of(), BehaviourReader.NONE);
+    public static Workspace of(List<Unit> units, Set<String> brokenFiles, BehaviourReader reader) {
+        return of(units, brokenFiles, List.of(), reader);
     }
 
     /**

@@ -62,9 +62,30 @@ final class Gaps {
             add(error.getSymbol(), error.getSymbol());
             return true;
         }
-        if (child instanceof ParserRuleContext context && context.exception != null) {
+        if (child instanceof ParserRuleContext context && isBroken(context)) {
             add(context.start, context.stop == null ? context.start : context.stop);
             return true;
+        }
+        return false;
+    }
+
+    /** A text in a language of its own is read as a whole, or not at all. */
+    private static boolean isBroken(ParserRuleContext context) {
+        return context.exception != null
+                || context instanceof ArcomatParser.ElementContext element
+                        && element.behaviour() != null
+                        && element.behaviour().ioTable() != null
+                        && hasGap(element.behaviour().ioTable());
+    }
+
+    private static boolean hasGap(ParserRuleContext context) {
+        for (int i = 0; i < context.getChildCount(); i++) {
+            ParseTree child = context.getChild(i);
+            if (child instanceof ErrorNode
+                    || child instanceof ParserRuleContext part
+                            && (part.exception != null || hasGap(part))) {
+                return true;
+            }
         }
         return false;
     }

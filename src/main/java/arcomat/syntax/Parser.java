@@ -1,6 +1,7 @@
 package arcomat.syntax;
 
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
 import arcomat.syntax.Reading.Leaves;
 import arcomat.syntax.build.UnitBuilder;
 import arcomat.tree.Recovered;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 
 /**
  * Reads a file into a tree. The ending of its path tells the language: {@code .cd} is a class
@@ -31,11 +33,43 @@ public final class Parser {
         return Reading.use(file, Leaves.OMITTED, Supplier::get, Parser::parsed);
     }
 
+    /**
+     * What somebody has translated, and what of it stands elsewhere.
+     *
+     * @param written with places in the translation
+     * @param placed the same, with the places that it comes from
+     */
+    public record Translated(Unit written, Unit placed) {}
+
+    /**
+     * A text that was made of another one. Nothing where it has errors: {@link #parse} tells them.
+     *
+     * @param places where what stands in it comes from
+     */
+    public static Optional<Translated> parse(SourceFile file, UnaryOperator<Span> places) {
+        return Reading.use(file, Leaves.OMITTED, reading -> translated(reading, places));
+    }
+
+    /** The same on the caller's stack. */
+    public static Optional<Translated> parseHere(SourceFile file, UnaryOperator<Span> places) {
+        return Reading.use(
+                file, Leaves.OMITTED, Supplier::get, reading -> translated(reading, places));
+    }
+
+    private static Optional<Translated> translated(Reading reading, UnaryOperator<Span> places) {
+        return reading.findings().isEmpty()
+                ? Optional.of(
+                        new Translated(
+                                unit(reading, UnaryOperator.identity()), unit(reading, places)))
+                : Optional.empty();
+    }
+
     private static Parsed parsed(Reading reading) {
         if (!reading.findings().isEmpty()) {
             return new Parsed(Optional.empty(), recovered(reading), reading.findings());
         }
-        return new Parsed(Optional.of(unit(reading)), Optional.empty(), List.of());
+        Unit unit = unit(reading, UnaryOperator.identity());
+        return new Parsed(Optional.of(unit), Optional.empty(), List.of());
     }
 
     private static Optional<Recovered> recovered(Reading reading) {
@@ -43,14 +77,15 @@ public final class Parser {
             return Optional.empty();
         }
         return Gaps.takeFrom(reading.root(), reading.file())
-                .map(gaps -> new Recovered(unit(reading), gaps));
+                .map(gaps -> new Recovered(unit(reading, UnaryOperator.identity()), gaps));
     }
 
-    private static Unit unit(Reading reading) {
+    private static Unit unit(Reading reading, UnaryOperator<Span> places) {
         return UnitBuilder.unit(
                 reading.file(),
                 Objects.requireNonNull(reading.root()),
                 reading.tokens().getTokens(),
-                reading.comments());
+                reading.comments(),
+                places);
     }
 }

@@ -59,6 +59,7 @@ public sealed interface AutomatonElement extends Node {
      * @param actions what happens one after the other
      * @param rank it is taken only where none with a smaller one is enabled; texts have no word for
      *     it, and guests may have
+     * @param turn it is taken only where nothing is there that one with a smaller number waits for
      */
     record Transition(
             Span span,
@@ -68,11 +69,13 @@ public sealed interface AutomatonElement extends Node {
             Optional<Block> input,
             Optional<Block> output,
             Optional<Statement.Sequence> actions,
-            int rank)
+            int rank,
+            int turn)
             implements AutomatonElement {
-        /** The same with another rank. */
-        public Transition withRank(int other) {
-            return new Transition(span, source, target, guard, input, output, actions, other);
+        /** The same in another order. */
+        public Transition ordered(int otherRank, int otherTurn) {
+            return new Transition(
+                    span, source, target, guard, input, output, actions, otherRank, otherTurn);
         }
     }
 

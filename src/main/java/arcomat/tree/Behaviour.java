@@ -5,13 +5,9 @@ import arcomat.source.Span;
 import java.util.List;
 import java.util.Optional;
 
-/** A behaviour language embedded in a component: automata, I/O tables, or that of a guest. */
+/** A behaviour language embedded in a component: automata, or one that is translated into them. */
 public sealed interface Behaviour extends Element
-        permits Automaton,
-                IoTable,
-                Behaviour.Computation,
-                Behaviour.Implementation,
-                Behaviour.Foreign {
+        permits Automaton, Behaviour.Computation, Behaviour.Implementation, Behaviour.Foreign {
     /** The automata that it consists of; none in other languages. */
     List<Automaton> automata();
 
@@ -45,10 +41,10 @@ public sealed interface Behaviour extends Element
             implements Behaviour {}
 
     /**
-     * A behaviour in the language of a guest, {@code blink lamp {..}}.
+     * A behaviour in another language, the tool's own or that of a guest: {@code blink lamp {..}}.
      *
      * @param body between the braces, as it was written
-     * @param automata what it means; none until a guest has said so
+     * @param automata what it means; none until somebody who knows the language has said so
      */
     record Foreign(
             Span span,

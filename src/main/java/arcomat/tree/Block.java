@@ -18,7 +18,7 @@ public record Block(Span span, List<Item> items) implements Node {
     /** {@code name++} or {@code name--}: parsed to be reported as unsupported. */
     public record Increment(Span span, QualifiedName name, boolean up) implements Item {}
 
-    /** The right-hand side of an item, also the cell of an I/O table. */
+    /** The right-hand side of an item. */
     public sealed interface Value extends Node {
         /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
         <R> R match(Cases<R> cases);
@@ -38,8 +38,6 @@ public record Block(Span span, List<Item> items) implements Node {
             R noMessage(NoMessage noMessage);
 
             R anyMessage(AnyMessage anyMessage);
-
-            R dontCare(DontCare dontCare);
         }
     }
 
@@ -79,14 +77,6 @@ public record Block(Span span, List<Item> items) implements Node {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.anyMessage(this);
-        }
-    }
-
-    /** {@code *}, in I/O tables only: with or without a message. */
-    public record DontCare(Span span) implements Value {
-        @Override
-        public <R> R match(Cases<R> cases) {
-            return cases.dontCare(this);
         }
     }
 }

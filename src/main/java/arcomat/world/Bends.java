@@ -6,7 +6,7 @@ import java.util.List;
 /** Rounds the corners of a line, as a robot that follows it needs them. */
 final class Bends {
     /** In radians: an arc is drawn as so short chords that nobody sees them. */
-    private static final double STEP = Math.toRadians(5);
+    private static final double STEP = Circle.radians(5);
 
     private Bends() {}
 
@@ -40,23 +40,20 @@ final class Bends {
 
     private static void round(
             Point before, Point corner, Point after, double radius, List<Point> outline) {
-        double in = StrictMath.atan2(corner.y() - before.y(), corner.x() - before.x());
-        double out = StrictMath.atan2(after.y() - corner.y(), after.x() - corner.x());
-        double turn = Math.IEEEremainder(out - in, 2 * Math.PI);
-        double half = Math.abs(StrictMath.tan(turn / 2));
+        double in = Arc.atan2(corner.y() - before.y(), corner.x() - before.x());
+        double out = Arc.atan2(after.y() - corner.y(), after.x() - corner.x());
+        double turn = Circle.nearest(out - in);
+        double half = Math.abs(Tangent.tan(turn / 2));
         double room = Math.min(before.distance(corner), corner.distance(after)) / 2;
         double fitting = half == 0 ? 0 : Math.min(radius, room / half);
         double tangent = fitting * half;
         int steps = Math.max(1, (int) Math.ceil(Math.abs(turn) / STEP));
         double side = Math.signum(turn) * Math.PI / 2;
-        Point start = corner.plus(-tangent * StrictMath.cos(in), -tangent * StrictMath.sin(in));
-        Point centre =
-                start.plus(
-                        fitting * StrictMath.cos(in + side), fitting * StrictMath.sin(in + side));
+        Point start = corner.plus(-tangent * Circle.cos(in), -tangent * Circle.sin(in));
+        Point centre = start.plus(fitting * Circle.cos(in + side), fitting * Circle.sin(in + side));
         for (int i = 0; i <= steps; i++) {
             double angle = in - side + turn * i / steps;
-            outline.add(
-                    centre.plus(fitting * StrictMath.cos(angle), fitting * StrictMath.sin(angle)));
+            outline.add(centre.plus(fitting * Circle.cos(angle), fitting * Circle.sin(angle)));
         }
     }
 }

@@ -183,7 +183,7 @@ final class KindDraft {
 
     private static double facing(Words words) throws Unreadable {
         return words.take("facing")
-                ? Math.toRadians(words.number("degrees to its left", -360, 360))
+                ? Circle.radians(words.number("degrees to its left", -360, 360))
                 : 0;
     }
 

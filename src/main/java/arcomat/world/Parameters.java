@@ -104,6 +104,7 @@ final class Parameters {
     Word read(Span place) throws Unreadable {
         Matcher matcher = USE.matcher(place.text());
         StringBuilder text = new StringBuilder();
+        int read = 0;
         List<Given> given = new ArrayList<>();
         while (matcher.find()) {
             Span use =
@@ -111,9 +112,10 @@ final class Parameters {
                             .span(place.start() + matcher.start(), place.start() + matcher.end());
             Given value = value(matcher.group(1), use);
             given.add(value);
-            matcher.appendReplacement(text, Matcher.quoteReplacement(value.value()));
+            text.append(place.text(), read, matcher.start()).append(value.value());
+            read = matcher.end();
         }
-        return new Word(matcher.appendTail(text).toString(), place, given);
+        return new Word(text + place.text().substring(read), place, given);
     }
 
     private Given value(String name, Span use) throws Unreadable {

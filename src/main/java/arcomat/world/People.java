@@ -25,7 +25,7 @@ final class People {
     private static final double GRASP = 1.5;
 
     /** Coffee that comes has the drinker before it: within this angle, in radians. */
-    private static final double AHEAD = Math.toRadians(60);
+    private static final double AHEAD = Circle.radians(60);
 
     private final World world;
 
@@ -87,8 +87,8 @@ final class People {
             RobotState robot = robots.get(i);
             Pose pose = robot.pose();
             double direction =
-                    StrictMath.atan2(drinker.spot().y() - pose.y(), drinker.spot().x() - pose.x());
-            double aside = Math.IEEEremainder(direction - pose.heading(), 2 * Math.PI);
+                    Arc.atan2(drinker.spot().y() - pose.y(), drinker.spot().x() - pose.x());
+            double aside = Circle.nearest(direction - pose.heading());
             if (robot.cup() == Cup.FULL
                     && distance(drinker, robot) < SIGHT
                     && Math.abs(aside) < AHEAD) {

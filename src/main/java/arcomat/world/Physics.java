@@ -79,7 +79,7 @@ public final class Physics {
 
     private static double[] takenUp(double mass) {
         return Arrays.stream(Cup.values())
-                .mapToDouble(cup -> 1 - StrictMath.exp(-SECONDS * GRIP / (mass + cup.mass)))
+                .mapToDouble(cup -> 1 - Decay.exp(-SECONDS * GRIP / (mass + cup.mass)))
                 .toArray();
     }
 
@@ -89,7 +89,7 @@ public final class Physics {
                 switch (purpose) {
                     case WHEELS -> noise.wheels();
                     case X, Y -> noise.place();
-                    case HEADING -> Math.toRadians(noise.heading());
+                    case HEADING -> Circle.radians(noise.heading());
                     case SWITCHED_ON -> 0;
                 };
         return deviation * chance.normal(robot, purpose.ordinal(), Chance.ONCE);

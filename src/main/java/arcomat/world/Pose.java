@@ -19,8 +19,8 @@ public record Pose(double x, double y, double heading) {
 
     /** The place of something that is fixed to the robot. */
     public Point place(Point mounted) {
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
+        double cos = Circle.cos(heading);
+        double sin = Circle.sin(heading);
         return new Point(
                 x + mounted.x() * cos - mounted.y() * sin,
                 y + mounted.x() * sin + mounted.y() * cos);
@@ -39,7 +39,6 @@ public record Pose(double x, double y, double heading) {
         double turn = (right - left) / track * seconds;
         double way = (left + right) / 2 * seconds;
         double middle = heading + turn / 2;
-        return new Pose(
-                x + way * StrictMath.cos(middle), y + way * StrictMath.sin(middle), heading + turn);
+        return new Pose(x + way * Circle.cos(middle), y + way * Circle.sin(middle), heading + turn);
     }
 }

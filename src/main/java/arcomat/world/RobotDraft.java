@@ -53,7 +53,7 @@ record RobotDraft(String name, Word place, Word kind, Pose pose, Cup cup) {
         words.expect("at");
         Point place = words.point();
         double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
-        Pose pose = new Pose(place.x(), place.y(), Math.toRadians(heading));
+        Pose pose = new Pose(place.x(), place.y(), Circle.radians(heading));
         return new RobotDraft(name.text(), name, kind, pose, cup(words));
     }
 

@@ -20,7 +20,7 @@ public final class Senses {
     /** The cone of the ultrasonic sensor: rays on either side of the middle one. */
     private static final int RAYS = 4;
 
-    private static final double BETWEEN_RAYS = Math.toRadians(15.0 / RAYS);
+    private static final double BETWEEN_RAYS = Circle.radians(15.0 / RAYS);
 
     /** In cm; beyond, no echo comes back. */
     private static final double RANGE = 170;
@@ -89,7 +89,7 @@ public final class Senses {
             double nearest = Double.POSITIVE_INFINITY;
             for (int ray = -RAYS; ray <= RAYS; ray++) {
                 double angle = pose.heading() + facing + ray * BETWEEN_RAYS;
-                nearest = Math.min(nearest, hit(eye, StrictMath.cos(angle), StrictMath.sin(angle)));
+                nearest = Math.min(nearest, hit(eye, Circle.cos(angle), Circle.sin(angle)));
             }
             return centimetres(nearest / MILLIMETRES);
         }
@@ -142,12 +142,17 @@ public final class Senses {
 
         private int percent(double ideal) {
             double reading = ideal + error(world.noise().light());
-            return (int) Math.round(Math.max(0, Math.min(100, reading)));
+            return rounded(Math.max(0, Math.min(100, reading)));
         }
 
         private int centimetres(double ideal) {
             double reading = ideal + error(world.noise().distance());
-            return reading > RANGE ? NO_ECHO : (int) Math.round(Math.max(0, reading));
+            return reading > RANGE ? NO_ECHO : rounded(Math.max(0, reading));
+        }
+
+        /** Rounding of a browser differs where Java's is hard to follow; this is the same. */
+        private static int rounded(double reading) {
+            return (int) Math.floor(reading + 0.5);
         }
 
         private double error(double deviation) {

@@ -7,6 +7,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -102,13 +103,14 @@ class SureFindingsTest {
         }
         return Checks.review(
                         LawBook.OWN,
-                        Workspace.of(units, broken),
+                        Workspace.of(units, broken, HouseLanguages.reader()),
                         Profile.EXECUTABLE,
                         unit -> true,
                         () -> {})
                 .and(
                         Checks.reviewRecovered(
                                 LawBook.OWN,
+                                HouseLanguages.reader(),
                                 recovered,
                                 units,
                                 broken,

@@ -8,6 +8,7 @@ import arcomat.model.Model;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -40,7 +41,10 @@ class GoldenPicturesTest {
         String name = file.getFileName().toString();
         SourceFile source = new SourceFile(name, Files.readString(file));
         Workspace workspace =
-                Workspace.of(List.of(Parser.parse(source).unit().orElseThrow()), Set.of());
+                Workspace.of(
+                        List.of(Parser.parse(source).unit().orElseThrow()),
+                        Set.of(),
+                        HouseLanguages.reader());
         Model model = Lowering.lower(workspace);
         Component component = model.component(name.replace(".arc", "")).orElseThrow();
         Graph graph =

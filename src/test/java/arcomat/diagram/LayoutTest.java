@@ -10,6 +10,7 @@ import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -53,7 +54,8 @@ class LayoutTest {
                         ModelFiles.of(Path.of("models/coffee")).stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
-                        Set.of()));
+                        Set.of(),
+                        HouseLanguages.reader()));
     }
 
     @Test
@@ -106,7 +108,10 @@ class LayoutTest {
     private static Graph automaton(String text) {
         SourceFile file = new SourceFile("Counter.arc", text);
         Workspace workspace =
-                Workspace.of(List.of(Parser.parse(file).unit().orElseThrow()), Set.of());
+                Workspace.of(
+                        List.of(Parser.parse(file).unit().orElseThrow()),
+                        Set.of(),
+                        HouseLanguages.reader());
         return graphs(Lowering.lower(workspace)).get(1);
     }
 

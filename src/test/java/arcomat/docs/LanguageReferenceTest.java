@@ -11,6 +11,7 @@ import arcomat.syntax.Parser;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.syntax.antlr.ArcomatParser.ExpressionUnitContext;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import org.antlr.v4.runtime.CharStreams;
@@ -128,7 +129,11 @@ class LanguageReferenceTest {
                         .map(example -> Parser.parse(named(example)).unit().orElseThrow())
                         .toList();
 
-        assertThat(Checks.run(Workspace.of(units, Set.of()), Profile.REQUIREMENTS)).isEmpty();
+        assertThat(
+                        Checks.run(
+                                Workspace.of(units, Set.of(), HouseLanguages.reader()),
+                                Profile.REQUIREMENTS))
+                .isEmpty();
     }
 
     /** An example for every production: none of the parser's rules and alternatives is missing. */

@@ -22,6 +22,7 @@ import arcomat.symbols.Workspace;
 import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
 import arcomat.syntax.TreeText;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -137,7 +138,7 @@ final class Harmless {
                                 parsing.parsed()
                                         .unit()
                                         .ifPresentOrElse(units::add, () -> broken.add(path)));
-        return Workspace.of(units, broken);
+        return Workspace.of(units, broken, HouseLanguages.reader());
     }
 
     private static Set<String> errors(List<Diagnostic> findings) {

@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * I/O tables are the second behaviour language. They show what a further one costs: a grammar with
- * one alternative in the grammar of components, a tree node, a builder and printer for it, symbols,
- * checks and a lowering. What comes behind the model does not know that there are tables.
+ * I/O tables are a behaviour language of the tool's own, written against the door that guests come
+ * by. They show what a further one costs: a room of its own and a line in a list. What is behind
+ * the syntax does not know that there are tables.
  */
 class BehaviourLanguageTest {
     private static final Path MAIN = Path.of("src/main/java/arcomat");
@@ -30,49 +30,61 @@ class BehaviourLanguageTest {
     }
 
     @Test
-    void theTreeHasOneNodeForIt() {
-        assertThat(mentions(MAIN.resolve("tree")))
-                .containsExactlyInAnyOrder(
-                        "src/main/java/arcomat/tree/IoTable.java",
-                        "src/main/java/arcomat/tree/Behaviour.java");
+    void itIsWrittenAgainstTheDoorAlone() {
+        assertThat(sources(MAIN.resolve("table")))
+                .isNotEmpty()
+                .allSatisfy(
+                        file ->
+                                assertThat(lines(file))
+                                        .filteredOn(line -> line.startsWith("import arcomat."))
+                                        .allMatch(
+                                                line ->
+                                                        line.matches(
+                                                                "import"
+                                                                    + " arcomat\\.(guest|source)\\..*")));
     }
 
     @Test
-    void oneClassLowersIt() {
-        assertThat(mentions(MAIN.resolve("lower")))
-                .containsExactlyInAnyOrder(
-                        "src/main/java/arcomat/lower/TableLowering.java",
-                        "src/main/java/arcomat/lower/ComponentLowering.java");
+    void oneListNamesIt() {
+        assertThat(sources(MAIN))
+                .filteredOn(file -> !file.startsWith(MAIN.resolve("table")))
+                .filteredOn(file -> lines(file).anyMatch(line -> line.contains("arcomat.table")))
+                .containsExactly(MAIN.resolve("translate/HouseLanguages.java"));
     }
 
-    /** A list of laws names each of them, and is no place to think about. */
+    /** What stands beside the texts: how tables are set, and where one goes on after a mistake. */
+    @Test
+    void besidesOnlyTheSyntaxKnowsHowItLooks() {
+        assertThat(sources(MAIN))
+                .filteredOn(file -> !file.startsWith(MAIN.resolve("table")))
+                .filteredOn(file -> lines(file).anyMatch(BehaviourLanguageTest::namesTables))
+                .filteredOn(file -> !file.startsWith(MAIN.resolve("syntax")))
+                .as("its codes")
+                .containsExactly(MAIN.resolve("check/language/LanguageLaws.java"));
+    }
+
     @Test
     void thePageForNewcomersNamesEachPlace() throws IOException {
         String page = Files.readString(Path.of("docs/extend.md"));
         String section = page.substring(page.indexOf("\n## A behaviour language\n"));
-        assertThat(Stream.of("tree", "syntax", "symbols", "check", "lower"))
-                .flatMap(room -> mentions(MAIN.resolve(room)))
+        assertThat(mentions(MAIN.resolve("syntax")))
                 .map(file -> file.replaceFirst(".*/(\\w+)\\.java", "$1"))
-                .filteredOn(name -> !name.endsWith("Laws"))
                 .isNotEmpty()
                 .allSatisfy(name -> assertThat(section).contains("`" + name + "`"));
-    }
-
-    @Test
-    void nothingBehindTheModelKnowsIt() {
-        for (String room : List.of("model", "semantics", "simulate", "generate", "report")) {
-            Path folder = MAIN.resolve(room);
-            assertThat(Files.exists(folder) ? mentions(folder) : List.of()).as(room).isEmpty();
-        }
+        assertThat(section).contains("`HouseLanguages`", "`LanguageLaws`", "`arcomat.table`");
     }
 
     /** The files below a folder whose code names the table, comments aside. */
     private static List<String> mentions(Path folder) {
+        return sources(folder).stream()
+                .filter(file -> lines(file).anyMatch(BehaviourLanguageTest::namesTables))
+                .map(file -> file.toString().replace('\\', '/'))
+                .toList();
+    }
+
+    private static List<Path> sources(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
-            return files.filter(Files::isRegularFile)
-                    .filter(file -> lines(file).anyMatch(BehaviourLanguageTest::namesTables))
-                    .map(file -> file.toString().replace('\\', '/'))
-                    .toList();
+            return files.filter(Files::isRegularFile).toList();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

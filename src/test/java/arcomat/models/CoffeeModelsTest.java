@@ -14,6 +14,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DynamicTest;
@@ -42,7 +43,8 @@ class CoffeeModelsTest {
                         ModelFiles.of(ROOT).stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
-                        Set.of());
+                        Set.of(),
+                        HouseLanguages.reader());
         model = Lowering.lower(workspace);
     }
 

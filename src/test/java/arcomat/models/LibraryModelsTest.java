@@ -10,6 +10,7 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.signatures.Layer;
 import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,7 +29,8 @@ class LibraryModelsTest {
     private static final Workspace WORKSPACE =
             Workspace.of(
                     FILES.stream().map(file -> Parser.parse(file).unit().orElseThrow()).toList(),
-                    Set.of());
+                    Set.of(),
+                    HouseLanguages.reader());
 
     @ParameterizedTest
     @EnumSource

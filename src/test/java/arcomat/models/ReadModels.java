@@ -6,6 +6,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -25,7 +26,7 @@ public final class ReadModels {
             }
             units.add(parsed.unit().orElseThrow());
         }
-        return Workspace.of(units, Set.of());
+        return Workspace.of(units, Set.of(), HouseLanguages.reader());
     }
 
     public static Model model(SourceFile... files) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.Delays.DelayCycle;
 import arcomat.symbols.names.ClassSymbol;
+import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.api.Test;
 
@@ -91,6 +92,12 @@ class BadShapesTest {
 
     @Test
     void anEmptyWorkspace() {
-        assertThat(Workspace.of(java.util.List.of(), Set.of("a/B.arc")).components()).isEmpty();
+        assertThat(
+                        Workspace.of(
+                                        java.util.List.of(),
+                                        Set.of("a/B.arc"),
+                                        HouseLanguages.reader())
+                                .components())
+                .isEmpty();
     }
 }

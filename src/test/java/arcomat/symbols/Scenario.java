@@ -6,6 +6,7 @@ import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.io.IOException;
@@ -63,7 +64,7 @@ public record Scenario(Workspace workspace, String expected) {
                 units.add(parse(path, body));
             }
         }
-        return new Scenario(Workspace.of(units, broken), expected);
+        return new Scenario(Workspace.of(units, broken, HouseLanguages.reader()), expected);
     }
 
     /** The files of a folder with models, and what they need of the library. */
@@ -72,7 +73,7 @@ public record Scenario(Workspace workspace, String expected) {
                 ModelFiles.of(Path.of(root)).stream()
                         .map(file -> parse(file.path(), file.text()))
                         .toList();
-        return Workspace.of(units, Set.of());
+        return Workspace.of(units, Set.of(), HouseLanguages.reader());
     }
 
     private static Unit parse(String path, String text) {

@@ -1,6 +1,7 @@
 package arcomat.syntax;
 
 import arcomat.source.Span;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Block.Single;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Binary;
@@ -121,6 +122,9 @@ public final class TreeText {
     }
 
     private static Object content(Object value, RecordComponent field) {
+        if (value instanceof Behaviour.Foreign foreign && field.getName().equals("body")) {
+            return foreign.body().text().replaceAll("\\s+", ""); // set by the formatter, too
+        }
         try {
             var accessor = field.getAccessor();
             accessor.setAccessible(true);

@@ -31,6 +31,7 @@ public final class Desk {
     private static final int DEPTH = 2;
 
     private ReadTexts read = ReadTexts.NONE;
+    private OpenWorlds worlds = OpenWorlds.NONE;
     private @Nullable OpenModels models;
     private @Nullable Drawing drawing;
 
@@ -40,7 +41,7 @@ public final class Desk {
     }
 
     /**
-     * Reads and checks the texts; what is asked later is asked of them.
+     * Reads and checks the texts, models and worlds; what is asked later is asked of them.
      *
      * @param needed paths of those that only lie around the others
      */
@@ -49,9 +50,11 @@ public final class Desk {
         for (int i = 0; i < paths.length; i++) {
             files.add(new SourceFile(paths[i], texts[i]));
         }
+        worlds = OpenWorlds.among(files);
+        files.removeIf(OpenWorlds::isWorld);
         read = read.with(files);
         models = OpenModels.read(read, Set.copyOf(Arrays.asList(needed)));
-        return ModelAnswers.of(models);
+        return ModelAnswers.of(models, worlds.findings());
     }
 
     /**
@@ -101,6 +104,11 @@ public final class Desk {
     /** The same run as the text of a stream test; not JSON. */
     public String record(String component, String[] letters, int[] choices, String suite) {
         return ask(lowered -> aRun(lowered, component, letters, choices).suite(suite));
+    }
+
+    /** A run of a world, with its robots' models for their programs. */
+    public String floor(String world, int seed) {
+        return ask(lowered -> worlds.run(world, seed, lowered));
     }
 
     /**

@@ -8,6 +8,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -15,10 +16,15 @@ import java.util.Locale;
 final class ModelAnswers {
     private ModelAnswers() {}
 
-    static String of(OpenModels models) {
+    /**
+     * @param further findings, about what lies beside the models
+     */
+    static String of(OpenModels models, List<Diagnostic> further) {
+        List<Diagnostic> findings = new ArrayList<>(models.checked().findings());
+        findings.addAll(further);
         return JsonText.object(
                 json -> {
-                    json.objects("findings", models.checked().findings(), ModelAnswers::finding);
+                    json.objects("findings", findings, ModelAnswers::finding);
                     json.field("meant", models.checked().suppressed().size());
                     json.field("whole", models.lowered().isPresent());
                     json.objects(

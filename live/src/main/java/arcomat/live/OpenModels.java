@@ -10,6 +10,8 @@ import arcomat.pipeline.check.LoweredModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.signatures.BehaviourReader;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -34,11 +36,13 @@ record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered) {
      */
     static OpenModels read(ReadTexts texts, Set<String> needed) {
         LoadedModels loaded = load(texts, needed);
-        Workspace workspace = Workspace.of(loaded.units(), loaded.broken());
+        BehaviourReader reader = HouseLanguages.readerHere();
+        Workspace workspace = Workspace.of(loaded.units(), loaded.broken(), reader);
         Review review =
                 Checks.reviewAlone(workspace, Profile.REQUIREMENTS, unit -> true, () -> {})
                         .and(
                                 Checks.reviewRecoveredAlone(
+                                        reader,
                                         loaded.recovered(),
                                         loaded.units(),
                                         loaded.broken(),

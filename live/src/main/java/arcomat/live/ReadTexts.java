@@ -5,9 +5,9 @@ import arcomat.pipeline.recheck.ReadModels;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Lazy;
-import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -73,11 +73,11 @@ final class ReadTexts implements ReadModels {
     }
 
     private Workspace around() {
-        return Draft.around(parsed, BehaviourReader.NONE);
+        return Draft.around(parsed, HouseLanguages.readerHere());
     }
 
     /** What names would mean if a file had another text. */
     Draft draft(SourceFile text) {
-        return Draft.of(parsed, text.path(), Parser.parseHere(text), BehaviourReader.NONE);
+        return Draft.of(parsed, text.path(), Parser.parseHere(text), HouseLanguages.readerHere());
     }
 }

@@ -52,12 +52,4 @@ record LivePage(Browser browser) {
     String check(Map<String, String> texts) {
         return ask("check", texts.keySet(), texts.values(), List.of());
     }
-
-    /** The same on this machine. */
-    static String check(Desk desk, Map<String, String> texts) {
-        return desk.check(
-                texts.keySet().toArray(new String[0]),
-                texts.values().toArray(new String[0]),
-                new String[0]);
-    }
 }

@@ -11,6 +11,7 @@ import org.openqa.selenium.Keys;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -56,8 +57,12 @@ class LivePageTest extends BrowserTest {
         tests.put("wires", this::drawsWiresFromOwnPorts);
         tests.put("steps", this::steps);
         tests.put("proves", this::proves);
+        tests.put("floor", this::runsAWorld);
+        tests.put("floor changes", this::runsWhatIsWritten);
+        tests.put("no floor", this::saysThatThereIsNoWorld);
         tests.put("remembers", this::remembersInItsAddress);
         tests.put("phone", this::fitsAPhone);
+        tests.put("floor on a phone", this::floorFitsAPhone);
         return tests;
     }
 
@@ -211,6 +216,95 @@ class LivePageTest extends BrowserTest {
                         "step 1: button = true; out: open = true; left is opened; right is opened");
         assertThat(browser.findAll("#prove .state.now")).hasSize(2);
         browser.picture("live-prove-light");
+    }
+
+    /** The meeting of two couriers, with the library around it. */
+    private void openMeeting() throws IOException {
+        String state =
+                Json.compact(
+                        Map.of(
+                                "files",
+                                texts(ModelTexts.below(Path.of("../models/coffee"))),
+                                "needed",
+                                texts(ModelTexts.library())));
+        browser.open("about:blank", "html");
+        browser.open(LivePage.FILE.toUri() + "#" + LivePage.packed(state), "body[data-checked]");
+    }
+
+    private static List<Map<String, String>> texts(Map<String, String> all) {
+        return all.entrySet().stream()
+                .map(each -> Map.of("path", each.getKey(), "text", each.getValue()))
+                .toList();
+    }
+
+    private void run() {
+        browser.run("delete document.body.dataset.floor");
+        browser.find("#floor-seed").sendKeys(Keys.ENTER);
+        browser.await(() -> !browser.findAll("body[data-floor]").isEmpty());
+    }
+
+    private String clock() {
+        return browser.text("#floor #clock");
+    }
+
+    private void runsAWorld() throws IOException {
+        openMeeting();
+        browser.press(Keys.chord(Keys.ALT, "5"));
+        assertThat(browser.find("#floor").isDisplayed()).isTrue();
+        run();
+        assertThat(browser.text("#floor [role=status]"))
+                .isEqualTo("22.0 s, no collision (as arcomat world --no-limits --seed 1)");
+        assertThat(browser.findAll("#floor svg.floor .robot")).hasSize(2);
+        assertThat(browser.text("#floor #events")).contains("loaded driving");
+        assertThat(browser.find("#floor .collision").isDisplayed()).isFalse();
+        browser.run("document.querySelector('#floor .replay').focus()");
+        browser.press(Keys.ARROW_RIGHT);
+        assertThat(clock()).isEqualTo("0.1 s of 22.0 s");
+        browser.press(Keys.chord(Keys.SHIFT, Keys.ARROW_RIGHT));
+        browser.press(Keys.chord(Keys.SHIFT, Keys.ARROW_RIGHT));
+        assertThat(clock()).doesNotStartWith("0.1 s");
+        browser.press("+");
+        browser.press(" ");
+        browser.await(() -> clock().startsWith("5."));
+        browser.press(" ");
+        browser.picture("live-floor-light");
+        browser.wear("dark");
+        browser.picture("live-floor-dark");
+    }
+
+    /** Another text of a model, and of the world: what runs next is that. */
+    private void runsWhatIsWritten() throws IOException {
+        openMeeting();
+        browser.press(Keys.chord(Keys.ALT, "5"));
+        run();
+        browser.run(
+                "const world = page.files.find((each) => each.path ==="
+                        + " 'world/meeting.world');world.text = world.text.replace('seconds 22',"
+                        + " 'seconds 5');const avoid = page.files.find((each) => each.path ==="
+                        + " 'coffee/floor/AvoidCrash.arc');avoid.text ="
+                        + " avoid.text.replaceAll('\"driving\"', '\"rolling\"');page.check()");
+        browser.await(() -> browser.find("#floor .stale").isDisplayed());
+        run();
+        assertThat(browser.text("#floor [role=status]")).startsWith("5.0 s");
+        assertThat(browser.text("#floor #events")).contains("rolling").doesNotContain("driving");
+        assertThat(browser.find("#floor .stale").isDisplayed()).isFalse();
+    }
+
+    private void saysThatThereIsNoWorld() {
+        LivePage.open(browser);
+        browser.press(Keys.chord(Keys.ALT, "5"));
+        assertThat(browser.text("#floor [role=status]")).startsWith("There is no world");
+        assertThat(browser.find("#floor form").isDisplayed()).isFalse();
+    }
+
+    private void floorFitsAPhone() throws IOException {
+        browser.resize(390, 844);
+        openMeeting();
+        browser.press(Keys.chord(Keys.ALT, "5"));
+        run();
+        assertThat(browser.run("return document.documentElement.scrollWidth <= 390"))
+                .isEqualTo(true);
+        browser.picture("live-floor-phone-light");
     }
 
     private void remembersInItsAddress() {

@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,7 +21,6 @@ import java.util.stream.Stream;
 class SameAnswersTest extends BrowserTest {
     private static final Path RESOURCES = Path.of("../src/test/resources");
     private static final Path COFFEE = Path.of("../models/coffee");
-    private static final Path LIBRARY = Path.of("../lejos-runtime/nxt/src/main/arc");
     private static final Pattern QUESTION =
             Pattern.compile("// refines (\\S+) (\\S+): .*", Pattern.MULTILINE);
 
@@ -39,6 +37,7 @@ class SameAnswersTest extends BrowserTest {
         tests.put("words", this::words);
         tests.put("verdicts", this::verdicts);
         tests.put("the coffee robots", this::coffee);
+        tests.put("worlds", this::worlds);
         return tests;
     }
 
@@ -50,11 +49,11 @@ class SameAnswersTest extends BrowserTest {
             Map<String, String> texts = models(file, "//// ");
             assertThat(page.check(texts))
                     .as(file.toString())
-                    .isEqualTo(LivePage.check(new Desk(), texts));
+                    .isEqualTo(ModelTexts.check(new Desk(), texts));
             texts.replaceAll((path, text) -> text.substring(0, text.length() * 2 / 3));
             assertThat(page.check(texts))
                     .as("what somebody is still writing: " + file)
-                    .isEqualTo(LivePage.check(new Desk(), texts));
+                    .isEqualTo(ModelTexts.check(new Desk(), texts));
             asked++;
         }
         assertThat(asked).isGreaterThan(100);
@@ -65,7 +64,7 @@ class SameAnswersTest extends BrowserTest {
         LivePage page = LivePage.open(browser);
         Map<String, String> texts = Map.of("Chain.arc", ChainModel.TEXT);
         Desk desk = new Desk();
-        LivePage.check(desk, texts);
+        ModelTexts.check(desk, texts);
         page.check(texts);
         for (int offset = 0; offset < ChainModel.TEXT.length() / CELLS; offset += 7) {
             assertThat(page.ask("complete", "Chain.arc", ChainModel.TEXT, offset))
@@ -89,7 +88,7 @@ class SameAnswersTest extends BrowserTest {
             Desk desk = new Desk();
             assertThat(page.check(texts))
                     .as(file.toString())
-                    .isEqualTo(LivePage.check(desk, texts));
+                    .isEqualTo(ModelTexts.check(desk, texts));
             Matcher question = QUESTION.matcher(Files.readString(file));
             while (question.find()) {
                 String left = question.group(1);
@@ -109,18 +108,10 @@ class SameAnswersTest extends BrowserTest {
 
     private void coffee() throws IOException {
         LivePage page = LivePage.open(browser);
-        Map<String, String> texts = new TreeMap<>();
-        for (Path root : List.of(COFFEE.resolve("coffee"), LIBRARY)) {
-            for (String ending : List.of(".arc", ".cd", ".mt")) {
-                for (Path file : files(root, ending)) {
-                    String below = root.equals(LIBRARY) ? "" : "coffee/";
-                    texts.put(below + root.relativize(file), Files.readString(file));
-                }
-            }
-        }
+        Map<String, String> texts = ModelTexts.runnable(COFFEE);
         Desk desk = new Desk();
         assertThat(page.check(texts))
-                .isEqualTo(LivePage.check(desk, texts))
+                .isEqualTo(ModelTexts.check(desk, texts))
                 .contains("\"whole\":true");
         assertThat(page.ask("test"))
                 .isEqualTo(desk.test())
@@ -134,6 +125,31 @@ class SameAnswersTest extends BrowserTest {
                 .isEqualTo(desk.contradictions("coffee.fig6.AvoidCrash", MILLISECONDS));
         assertThat(page.ask("graph", "coffee.fetcher.Fetcher", -1, List.of()))
                 .isEqualTo(desk.graph("coffee.fetcher.Fetcher", -1, new String[0]));
+    }
+
+    /**
+     * Runs of worlds: every place at every tenth of a second, all readings, all events. The meeting
+     * with ten seeds, the others with two, the service with one.
+     */
+    private void worlds() throws IOException {
+        LivePage page = LivePage.open(browser);
+        assertSameRuns(page, COFFEE, "world/meeting.world", 10);
+        assertSameRuns(page, COFFEE, "world/service.world", 1);
+        assertSameRuns(page, Path.of("../models/sprint"), "sprint.world", 2);
+        assertSameRuns(page, RESOURCES.resolve("library"), "library.world", 2);
+    }
+
+    private static void assertSameRuns(LivePage page, Path root, String world, int seeds)
+            throws IOException {
+        Map<String, String> texts = ModelTexts.runnable(root);
+        Desk desk = new Desk();
+        assertThat(page.check(texts)).isEqualTo(ModelTexts.check(desk, texts));
+        for (int seed = 1; seed <= seeds; seed++) {
+            assertThat(page.ask("floor", world, seed))
+                    .as("%s, seed %d", world, seed)
+                    .isEqualTo(desk.floor(world, seed))
+                    .contains("\"recording\":");
+        }
     }
 
     private static List<Path> files(Path folder, String ending) throws IOException {

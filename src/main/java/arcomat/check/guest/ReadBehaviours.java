@@ -1,15 +1,13 @@
 package arcomat.check.guest;
 
-import arcomat.check.law.Check;
+import arcomat.check.language.ToldByLanguage;
 import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 import arcomat.check.walk.Listeners;
 import arcomat.check.walk.Walk;
 import arcomat.source.Diagnostic;
 import arcomat.symbols.Workspace;
-import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.signatures.BehaviourReader;
-import arcomat.symbols.signatures.BehaviourReader.Problem;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -52,7 +50,10 @@ public record ReadBehaviours(List<String> codes) {
         if (codes.isEmpty()) {
             return List.of();
         }
-        List<Law> laws = codes.stream().map(each -> Law.error(each, new Told(each))).toList();
+        List<Law> laws =
+                codes.stream()
+                        .map(each -> Law.error(each, new ToldByLanguage(each, each)))
+                        .toList();
         Walk walk = new Walk(workspace, profile, new Listeners(laws, profile));
         for (Consumer<Walk> step : Walk.steps(workspace, wanted)) {
             goOn.run();
@@ -61,15 +62,5 @@ public record ReadBehaviours(List<String> codes) {
         List<Diagnostic> all = new ArrayList<>();
         walk.findings().forEach(each -> all.addAll(each.diagnostics()));
         return all;
-    }
-
-    private record Told(String code) implements Check.OnComponent {
-        @Override
-        public void check(ComponentSymbol component, Context context, Findings findings) {
-            component.readings().values().stream()
-                    .flatMap(each -> each.problems().stream())
-                    .filter(each -> each.code().equals(code))
-                    .forEach((Problem each) -> findings.report(each.place(), each.message()));
-        }
     }
 }

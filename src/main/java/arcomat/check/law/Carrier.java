@@ -9,8 +9,8 @@ public enum Carrier {
     TIMING("a timing clause"),
     AUTOCONNECT("an autoconnect clause"),
     AUTOINSTANTIATE("an autoinstantiate clause"),
-    AUTOMATON("an automaton"),
-    TABLE("an I/O table"),
+    /** An automaton, or what is translated into one. */
+    AUTOMATON("a behaviour"),
     STATE("a state"),
     CLASS_DIAGRAM("a class diagram"),
     TYPE("a type"),

@@ -14,10 +14,8 @@ import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
-import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -120,18 +118,9 @@ public interface Check {
         void check(ItemSymbol item, Context context, Findings findings);
     }
 
-    interface OnTable extends Check {
-        void check(TableSymbol table, Context context, Findings findings);
-    }
-
-    /** Called for the cells of tables that have a column; the context knows the side. */
-    interface OnCell extends Check {
-        void check(ItemValue cell, TableSymbol.Column column, Context context, Findings findings);
-    }
-
     /**
      * Called for every expression as a whole, with the problems of its parts: guards, item values,
-     * cells, initial values, arguments, messages of tests.
+     * initial values, arguments, messages of tests.
      */
     interface OnExpression extends Check {
         void check(Typed expression, Context context, Findings findings);

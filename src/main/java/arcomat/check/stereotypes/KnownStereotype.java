@@ -33,7 +33,7 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
         TEXT
     }
 
-    private static final Set<Carrier> BEHAVIOUR = Set.of(Carrier.AUTOMATON, Carrier.TABLE);
+    private static final Set<Carrier> BEHAVIOUR = Set.of(Carrier.AUTOMATON);
     private static final Set<Carrier> COMPONENT = Set.of(Carrier.COMPONENT);
     private static final Set<Carrier> PROMISING = Set.of(Carrier.COMPONENT, Carrier.AUTOMATON);
     private static final Set<Carrier> PORT = Set.of(Carrier.PORT);

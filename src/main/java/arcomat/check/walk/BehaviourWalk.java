@@ -10,9 +10,7 @@ import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.ItemSymbol.Side;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
-import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -119,32 +117,5 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
                 .ifPresentOrElse(
                         target -> expressions.values(values, target.type(), context),
                         () -> expressions.all(values, context));
-    }
-
-    void table(TableSymbol table, Context context) {
-        stereotypes.visit(table.node().stereotypes(), Carrier.TABLE, table.node(), context);
-        for (Listener<Check.OnTable> each : listeners.onTable) {
-            each.check().check(table, context, each.findings());
-        }
-        for (TableSymbol.Row row : table.rows()) {
-            cells(row.inputs(), table.inputs(), context.in(Side.INPUT));
-            cells(row.outputs(), table.outputs(), context.in(Side.OUTPUT));
-        }
-    }
-
-    /** A row may have more cells than there are columns, or fewer. */
-    private void cells(List<ItemValue> cells, List<TableSymbol.Column> columns, Context context) {
-        for (int i = 0; i < cells.size(); i++) {
-            ItemValue cell = cells.get(i);
-            if (i < columns.size()) {
-                TableSymbol.Column column = columns.get(i);
-                for (Listener<Check.OnCell> each : listeners.onCell) {
-                    each.check().check(cell, column, context, each.findings());
-                }
-                expressions.values(cell.expressions(), column.type(), context);
-            } else {
-                expressions.all(cell.expressions(), context);
-            }
-        }
     }
 }

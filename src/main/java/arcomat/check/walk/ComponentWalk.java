@@ -12,7 +12,6 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.InvariantSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -90,9 +89,6 @@ record ComponentWalk(
         }
         for (AutomatonSymbol automaton : component.ownAutomata()) {
             behaviours.automaton(automaton, context);
-        }
-        for (TableSymbol table : component.ownTables()) {
-            behaviours.table(table, context);
         }
         for (ComponentSymbol inner : component.innerComponents()) {
             component(inner, context);

@@ -52,8 +52,6 @@ public final class Listeners {
     final Audience<Check.OnBlock> onBlock = audience(Check.OnBlock.class);
     final Audience<Check.OnActions> onActions = audience(Check.OnActions.class);
     final Audience<Check.OnItem> onItem = audience(Check.OnItem.class);
-    final Audience<Check.OnTable> onTable = audience(Check.OnTable.class);
-    final Audience<Check.OnCell> onCell = audience(Check.OnCell.class);
     final Audience<Check.OnValue> onValue = audience(Check.OnValue.class);
     final Audience<Check.OnExpression> onExpression = audience(Check.OnExpression.class);
     final Audience<Check.OnType> onType = audience(Check.OnType.class);

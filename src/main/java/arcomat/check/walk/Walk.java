@@ -143,7 +143,9 @@ public final class Walk {
         }
     }
 
-    /** No message is an array, so that no test can name the field: that it has no effect is told. */
+    /**
+     * No message is an array, so that no test can name the field: that it has no effect is told.
+     */
     private static boolean isForJava(TestSuite.Field field) {
         return field.type().dimensions() > 0;
     }

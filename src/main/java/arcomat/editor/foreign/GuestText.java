@@ -7,10 +7,10 @@ import arcomat.guest.BehaviourLanguage.Written;
 import arcomat.guest.SituatedLanguage;
 import arcomat.guest.Vicinity;
 import arcomat.guest.host.Guests.Language;
-import arcomat.pipeline.guest.VicinityView;
 import arcomat.source.Span;
 import arcomat.syntax.Parser;
 import arcomat.syntax.WrittenWords;
+import arcomat.translate.VicinityView;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 

@@ -66,7 +66,7 @@ public final class InstancePromises {
     }
 
     private boolean isGenericWithoutPart(ComponentSymbol symbol) {
-        boolean behaves = !symbol.ownAutomata().isEmpty() || !symbol.ownTables().isEmpty();
+        boolean behaves = !symbol.ownAutomata().isEmpty();
         return symbol.signature().isGeneric()
                 && behaves
                 && !symbol.isPlatform()

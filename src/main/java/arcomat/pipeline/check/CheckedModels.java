@@ -12,6 +12,7 @@ import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.util.Collection;
@@ -41,7 +42,7 @@ public record CheckedModels(
     /** Checks models for their own sake. */
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
-        Workspace workspace = workspace(loaded, session);
+        Workspace workspace = examined(loaded, session);
         return of(loaded, workspace, review(loaded, workspace, profile, session));
     }
 
@@ -176,7 +177,11 @@ public record CheckedModels(
     }
 
     private static Workspace workspace(LoadedModels loaded, Session session) {
-        return Workspace.of(loaded.units(), loaded.broken(), List.of(), session.laws().reader());
+        return Workspace.of(
+                loaded.units(),
+                loaded.broken(),
+                List.of(),
+                HouseLanguages.and(session.laws().reader()));
     }
 
     private static Review review(
@@ -191,6 +196,7 @@ public record CheckedModels(
                 .and(
                         Checks.reviewRecovered(
                                 session.laws(),
+                                HouseLanguages.and(session.laws().reader()),
                                 loaded.recovered(),
                                 loaded.units(),
                                 loaded.broken(),

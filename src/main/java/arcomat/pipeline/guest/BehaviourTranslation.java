@@ -3,20 +3,17 @@ package arcomat.pipeline.guest;
 import arcomat.check.guest.GuestThread;
 import arcomat.guest.BehaviourLanguage.Written;
 import arcomat.guest.Meaning;
-import arcomat.guest.Meaning.Piece;
 import arcomat.guest.host.Guests.Language;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 import arcomat.symbols.signatures.BehaviourReader.Problem;
 import arcomat.symbols.signatures.BehaviourReader.Reading;
-import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
-import arcomat.tree.Automaton;
-import arcomat.tree.AutomatonElement;
+import arcomat.translate.TranslatedText;
+import arcomat.translate.Translation;
 import arcomat.tree.Behaviour;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
@@ -50,8 +47,7 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
      */
     Reading ask(Question question, boolean mayWait) {
         Meaning meaning = new Meaning();
-        Written written =
-                new Written(behaviour.keyword().span(), behaviour.name(), behaviour.body());
+        Written written = Translation.written(behaviour);
         try {
             new GuestThread(language.guest(), LIMIT)
                     .call(Executors.callable(() -> question.put(written, meaning)));
@@ -68,51 +64,36 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
         if (unknown.isPresent()) {
             return failed("it has not said that it has a code '" + unknown.get() + "'");
         }
-        if (!meaning.problems().isEmpty()) {
-            return new Reading(
-                    Optional.empty(), meaning.problems().stream().map(this::told).toList());
+        List<Problem> problems = meaning.problems().stream().map(this::told).toList();
+        if (!problems.isEmpty() && !meaning.isStanding()) {
+            return Reading.of(problems);
         }
         return mayWait && meaning.pieces().isEmpty()
-                ? new Reading(Optional.empty(), List.of())
-                : automaton(meaning);
+                ? Reading.of(problems)
+                : automaton(Translation.of(behaviour, meaning), problems);
     }
 
     private Problem told(Meaning.Problem problem) {
         return new Problem(
                 problem.code().orElse(WRONG),
                 problem.place(),
-                problem.message() + " (guest '" + language.guest() + "')");
+                problem.message() + " (guest '" + language.guest() + "')",
+                problem.related(),
+                problem.fix());
     }
 
-    private Reading automaton(Meaning meaning) {
-        List<Piece> pieces = new ArrayList<>();
-        pieces.add(own(behaviour.keyword().span(), "automaton {"));
-        pieces.addAll(meaning.pieces());
-        pieces.add(own(behaviour.span(), "}"));
-        String path = behaviour.span().file().path() + ".ioautomaton";
-        TranslatedText text = TranslatedText.of(path, pieces);
-        Parsed parsed = Parser.parse(text.file());
-        if (parsed.unit().isEmpty()) {
-            Diagnostic first = parsed.findings().get(0);
-            String message =
-                    "guest '%s' made of this behaviour what cannot be read: %s in '%s'; tell who wrote it"
-                            .formatted(language.guest(), first.message(), line(first.span()));
-            return wrong(text.origin(first.span()), message);
-        }
-        Automaton written = (Automaton) parsed.unit().get().definition();
-        List<AutomatonElement> elements = written.elements().stream().map(text::placed).toList();
-        return new Reading(
-                Optional.of(
-                        new Automaton(
-                                behaviour.span(),
-                                behaviour.stereotypes(),
-                                behaviour.name(),
-                                elements)),
-                List.of());
+    private Reading automaton(Translation translation, List<Problem> problems) {
+        return translation
+                .reading(Parser::parse, problems)
+                .orElseGet(() -> unreadable(translation.text()));
     }
 
-    private static Piece own(Span place, String text) {
-        return new Piece(place, text, Optional.empty(), 0, List.of());
+    private Reading unreadable(TranslatedText text) {
+        Diagnostic first = Parser.parse(text.file()).findings().get(0);
+        String message =
+                "guest '%s' made of this behaviour what cannot be read: %s in '%s'; tell who wrote it"
+                        .formatted(language.guest(), first.message(), line(first.span()));
+        return wrong(text.origin(first.span()), message);
     }
 
     private static String line(Span place) {
@@ -127,6 +108,6 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
     }
 
     private static Reading wrong(Span place, String message) {
-        return new Reading(Optional.empty(), List.of(new Problem(FAILED, place, message)));
+        return Reading.of(List.of(new Problem(FAILED, place, message)));
     }
 }

@@ -7,7 +7,6 @@ import arcomat.guest.host.Guests.Language;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
-import arcomat.symbols.signatures.BehaviourReader.Problem;
 import arcomat.symbols.signatures.BehaviourReader.Reading;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
@@ -116,14 +115,10 @@ public final class ForeignBehaviours {
                 new BehaviourTranslation(foreign, language.get())
                         .ask(translator::translate, translator instanceof SituatedLanguage);
         if (!reading.problems().isEmpty()) {
-            reading.problems().forEach(each -> findings.add(error(each)));
+            reading.problems().forEach(each -> findings.add(each.error()));
             gaps.add(foreign.span());
             return Optional.empty();
         }
         return Optional.of(reading.automaton().map(foreign::meaning).orElse(foreign));
-    }
-
-    private static Diagnostic error(Problem problem) {
-        return Diagnostic.error(problem.code(), problem.place(), problem.message());
     }
 }

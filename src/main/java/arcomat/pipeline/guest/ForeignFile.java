@@ -5,10 +5,13 @@ import arcomat.guest.Meaning;
 import arcomat.guest.Meaning.Problem;
 import arcomat.guest.host.Guests.Reader;
 import arcomat.source.Diagnostic;
+import arcomat.source.Severity;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.syntax.Parser.Translated;
+import arcomat.translate.TranslatedText;
 import arcomat.tree.Automaton;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
@@ -66,27 +69,30 @@ record ForeignFile(SourceFile file, Reader reader) {
                 return failed(each.place(), "it has not said that it has a code '" + code + "'");
             }
             findings.add(
-                    Diagnostic.error(
+                    new Diagnostic(
                             code,
+                            Severity.ERROR,
                             each.place(),
-                            each.message() + " (guest '" + reader.guest() + "')"));
+                            each.message() + " (guest '" + reader.guest() + "')",
+                            each.related(),
+                            each.fix()));
         }
         findings.sort(Diagnostic.ORDER);
         return new Parsed(Optional.empty(), Optional.empty(), findings);
     }
 
     private Parsed written(TranslatedText text) {
-        Parsed parsed = Parser.parse(text.file());
-        if (parsed.unit().isEmpty()) {
-            Diagnostic first = parsed.findings().get(0);
+        Optional<Translated> translated = Parser.parse(text.file(), text::origin);
+        if (translated.isEmpty()) {
+            Diagnostic first = Parser.parse(text.file()).findings().get(0);
             String line = first.span().file().excerpt(first.span().startPosition().line());
             return failed(
                     text.origin(first.span()),
                     "what it made of the file cannot be read: %s in '%s'"
                             .formatted(first.message(), line));
         }
-        Unit written = parsed.unit().get();
-        Unit placed = new PlacedTree(text::origin).move(written);
+        Unit written = translated.get().written();
+        Unit placed = translated.get().placed();
         if (!(placed.definition() instanceof Component component)) {
             return failed(file.span(0, 0), "what it made of the file is no component");
         }
@@ -110,13 +116,7 @@ record ForeignFile(SourceFile file, Reader reader) {
             if (each instanceof Component inner) {
                 elements.add(inside(inner, (Component) before, text));
             } else if (each instanceof Automaton automaton) {
-                elements.add(
-                        new Automaton(
-                                automaton.span(),
-                                automaton.stereotypes(),
-                                automaton.name(),
-                                ((Automaton) before)
-                                        .elements().stream().map(text::placed).toList()));
+                elements.add(text.ordered((Automaton) before, automaton));
             } else {
                 elements.add(each);
             }

@@ -5,6 +5,7 @@ import arcomat.guest.Vicinity;
 import arcomat.guest.host.Guests.Language;
 import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.symbols.signatures.Signature;
+import arcomat.translate.VicinityView;
 import arcomat.tree.Behaviour;
 
 import java.util.Collections;

@@ -14,12 +14,13 @@ import arcomat.pipeline.live.LivePage.Beginning;
 import arcomat.pipeline.live.LivePage.Text;
 import arcomat.source.SourceFile;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Writes the live page of models. Errors in them are no obstacle: to repair them is what the page
- * is for.
+ * Writes the live page of models and worlds. Errors in them are no obstacle: to repair them is what
+ * the page is for.
  *
  * @param out the folder for the page
  */
@@ -36,17 +37,23 @@ public record WriteLivePage(String out, List<String> paths)
         ReportPage target = new ReportPage(out, session.names());
         target.requireWritable();
         LivePage page = LivePage.installed();
-        CheckedModels checked = CheckedModels.check(paths, Profile.REQUIREMENTS, session);
+        CarriedWorlds carried = CarriedWorlds.find(paths, session.names());
+        if (carried.models().isEmpty()) {
+            throw new WrongUse("%s need models; name their folder as well", paths);
+        }
+        CheckedModels checked =
+                CheckedModels.check(carried.models(), Profile.REQUIREMENTS, session);
         CheckResult result = checked.result();
         if (result.findings().stream().anyMatch(FileFindings::isUnreadableInput)) {
             return CheckedAnswer.refused(result);
         }
         session.progress().step("writing " + out + "/" + ReportPage.NAME);
         LoadedModels loaded = checked.loaded();
+        List<Text> files =
+                new ArrayList<>(texts(loaded, file -> loaded.isNamedByUser(file.path())));
+        carried.worlds().forEach(world -> files.add(Text.of(world)));
         Beginning models =
-                new Beginning(
-                        texts(loaded, file -> loaded.isNamedByUser(file.path())),
-                        texts(loaded, file -> !loaded.isNamedByUser(file.path())));
+                new Beginning(files, texts(loaded, file -> !loaded.isNamedByUser(file.path())));
         target.write(page.with(models));
         return CheckedAnswer.of(result, models.files().size());
     }

@@ -15,6 +15,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Lazy;
 import arcomat.syntax.Parsed;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -218,7 +219,7 @@ final class OpenFiles {
     }
 
     private Workspace around() {
-        return OpenModels.Draft.around(parsed(), guests.laws().reader());
+        return OpenModels.Draft.around(parsed(), HouseLanguages.and(guests.laws().reader()));
     }
 
     private Map<String, Parsed> parsed() {
@@ -230,7 +231,8 @@ final class OpenFiles {
     /** What names would mean if a file had another text. */
     OpenModels.Draft draft(SourceFile text) {
         Parsed written = ModelLoader.parse(List.of(text), guests, Progress.NONE).get(0);
-        return OpenModels.Draft.of(parsed(), text.path(), written, guests.laws().reader());
+        return OpenModels.Draft.of(
+                parsed(), text.path(), written, HouseLanguages.and(guests.laws().reader()));
     }
 
     /**
@@ -250,6 +252,7 @@ final class OpenFiles {
                 .and(
                         Checks.reviewRecovered(
                                 guests.laws(),
+                                HouseLanguages.and(guests.laws().reader()),
                                 recovered(wanted),
                                 units(),
                                 broken(),
@@ -261,7 +264,8 @@ final class OpenFiles {
     private Workspace withoutBroken() {
         return broken().isEmpty()
                 ? workspace()
-                : Workspace.of(units(), broken(), List.of(), guests.laws().reader());
+                : Workspace.of(
+                        units(), broken(), List.of(), HouseLanguages.and(guests.laws().reader()));
     }
 
     /** Of the files that parse. */

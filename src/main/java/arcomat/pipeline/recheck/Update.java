@@ -13,6 +13,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -170,7 +171,8 @@ final class Update {
             }
         }
         session.progress().step("checking", affected.size(), "model");
-        Workspace workspace = Workspace.of(units, broken, outlines, session.laws().reader());
+        Workspace workspace =
+                Workspace.of(units, broken, outlines, HouseLanguages.and(session.laws().reader()));
         return merge(
                 CheckedModels.review(
                                 session.laws(),
@@ -182,6 +184,7 @@ final class Update {
                         .and(
                                 Checks.reviewRecovered(
                                         session.laws(),
+                                        HouseLanguages.and(session.laws().reader()),
                                         recovered,
                                         units,
                                         broken,

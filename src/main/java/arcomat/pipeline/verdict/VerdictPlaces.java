@@ -7,7 +7,6 @@ import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Definition;
 import arcomat.tree.Element;
-import arcomat.tree.IoTable;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
@@ -81,13 +80,16 @@ public final class VerdictPlaces {
         return refined.name().text() + (chosen.isEmpty() ? "" : chosen.toString());
     }
 
-    /** Automata and tables. */
+    /** Automata, and what becomes one where names are known. */
     private static List<Span> behaviours(Component component) {
         List<Span> spans = new ArrayList<>();
         for (Behaviour each : component.elements(Behaviour.class)) {
-            each.automata().stream().map(Automaton::span).forEach(spans::add);
+            if (each instanceof Behaviour.Foreign) {
+                spans.add(each.span());
+            } else {
+                each.automata().stream().map(Automaton::span).forEach(spans::add);
+            }
         }
-        component.elements(IoTable.class).stream().map(IoTable::span).forEach(spans::add);
         return spans;
     }
 

@@ -20,7 +20,6 @@ import arcomat.world.World.Robot;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +28,7 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /** Writes down what happens in a world. */
-final class WorldRecorder implements Witness {
+public final class WorldRecorder implements Witness {
     private final World world;
     private final Seeds seeds;
     private final List<Frame> frames = new ArrayList<>();
@@ -41,7 +40,7 @@ final class WorldRecorder implements Witness {
     private final Map<String, Refusing> refusing;
     private final Map<String, Map<String, List<Recording.Reason>>> reasons = new TreeMap<>();
 
-    WorldRecorder(World world, Seeds seeds) {
+    public WorldRecorder(World world, Seeds seeds) {
         this(world, seeds, Map.of());
     }
 
@@ -94,12 +93,23 @@ final class WorldRecorder implements Witness {
 
             @Override
             public void packetSent(long time, byte[] packet, int length) {
-                String bytes = HexFormat.of().formatHex(packet, 0, length);
                 events.add(
                         new Event.Sent(
-                                (int) (time / VirtualTime.MILLISECOND), robot.name(), bytes));
+                                (int) (time / VirtualTime.MILLISECOND),
+                                robot.name(),
+                                hexadecimal(packet, length)));
             }
         };
+    }
+
+    /** Said here, since a browser does not have what Java has for it. */
+    private static String hexadecimal(byte[] packet, int length) {
+        StringBuilder digits = new StringBuilder();
+        for (int i = 0; i < length; i++) {
+            digits.append(Character.forDigit(packet[i] >> 4 & 0xf, 16));
+            digits.append(Character.forDigit(packet[i] & 0xf, 16));
+        }
+        return digits.toString();
     }
 
     /** Only what is another reason than before. */
@@ -128,7 +138,8 @@ final class WorldRecorder implements Witness {
         failures.put(robot, reason);
     }
 
-    Recording recording() {
+    /** What it has written down. */
+    public Recording recording() {
         return new Recording(
                 world, seeds, frames, events, failures, List.copyOf(blind), late(), idle());
     }

@@ -1,5 +1,7 @@
 package arcomat.pipeline.world;
 
+import arcomat.sim.Brick;
+import arcomat.sim.BrickRoom;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Limits;
@@ -25,7 +27,7 @@ import java.util.function.Supplier;
  * shafts as they are, moves everything, and shows the sensors what they see next. A run depends on
  * the world, its programs and the seeds, and on nothing else.
  */
-final class WorldRun implements Witness.Instruments {
+public final class WorldRun implements Witness.Instruments {
     private static final MotorName[] MOTORS = MotorName.values();
     private static final SensorName[] SOCKETS = SensorName.values();
     private static final long SECOND = 1000;
@@ -36,8 +38,8 @@ final class WorldRun implements Witness.Instruments {
     private final World world;
     private final Physics physics;
     private final Senses senses;
-    private final Laboratory laboratory;
-    private final SimulatedBrick[] bricks;
+    private final BrickRoom room;
+    private final Brick[] bricks;
     private final List<List<Device.Sensor>> sensors = new ArrayList<>();
     private final double[][] shafts;
     private final List<List<Supplier<Stimulus>>> sources = new ArrayList<>();
@@ -46,14 +48,14 @@ final class WorldRun implements Witness.Instruments {
     @SuppressWarnings("NullAway.Init") // a run begins with it
     private Scene scene;
 
-    private WorldRun(World world, Seeds seeds, Laboratory laboratory, Witness witness) {
+    private WorldRun(World world, Seeds seeds, BrickRoom room, Witness witness) {
         this.world = world;
-        this.laboratory = laboratory;
+        this.room = room;
         this.witness = witness;
         int count = world.robots().size();
         physics = new Physics(world, seeds.first());
         senses = new Senses(world, seeds);
-        bricks = new SimulatedBrick[count];
+        bricks = new Brick[count];
         shafts = new double[count][MOTORS.length];
         world.robots().forEach(robot -> sensors.add(robot.kind().sensors()));
         for (int i = 0; i < count; i++) {
@@ -70,8 +72,15 @@ final class WorldRun implements Witness.Instruments {
         return sources;
     }
 
+    /** Brings the robots of a world to work. */
+    @FunctionalInterface
+    public interface Starter {
+        /** The brick of a robot, which is switched on at this moment and has what it needs. */
+        Brick start(World.Robot robot);
+    }
+
     /**
-     * Runs a world to its goal, or to its end.
+     * Runs a world to its goal, or to its end, with jars on its bricks.
      *
      * @param equipment by the names of robots
      * @param patience how long it may take by the PC's clock
@@ -87,29 +96,47 @@ final class WorldRun implements Witness.Instruments {
             Witness witness) {
         try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
-            new WorldRun(world, seeds, laboratory, witness).run(equipment);
+            Starter jars =
+                    robot -> {
+                        WorldPrograms.Equipment own =
+                                Objects.requireNonNull(equipment.get(robot.name()));
+                        SimulatedBrick brick =
+                                laboratory.place(
+                                        robot.name(), Objects.requireNonNull(own.program()));
+                        own.devices().plugInto(brick);
+                        return brick;
+                    };
+            run(world, seeds, laboratory, jars, witness);
         }
     }
 
-    private void run(Map<String, WorldPrograms.Equipment> equipment) {
+    /**
+     * Runs a world to its goal, or to its end.
+     *
+     * @param room where nothing has happened yet
+     * @param starter of bricks in that room
+     */
+    public static void run(
+            World world, Seeds seeds, BrickRoom room, Starter starter, Witness witness) {
+        new WorldRun(world, seeds, room, witness).run(starter);
+    }
+
+    private void run(Starter starter) {
         scene = physics.start();
-        laboratory.surround(Physics.STEP, this::step);
+        room.surround(Physics.STEP, this::step);
         for (int i = 0; i < bricks.length; i++) {
-            laboratory.runUntil(physics.switchedOn(i));
-            String name = world.robots().get(i).name();
-            WorldPrograms.Equipment own = Objects.requireNonNull(equipment.get(name));
-            bricks[i] = laboratory.place(name, Objects.requireNonNull(own.program()));
-            own.devices().plugInto(bricks[i]);
+            room.runUntil(physics.switchedOn(i));
+            bricks[i] = starter.start(world.robots().get(i));
             bricks[i].observe(witness.of(world.robots().get(i)));
             expose(i);
         }
         long end = world.seconds() * SECOND;
         long watch = world.goal() > 0 ? WATCH : SECOND;
         if (!isOver()) {
-            laboratory.runUntil(end, watch, this::isOver);
+            room.runUntil(end, watch, this::isOver);
         }
-        for (SimulatedBrick brick : bricks) {
-            brick.outcome().failure().ifPresent(reason -> witness.failed(brick.name(), reason));
+        for (Brick brick : bricks) {
+            brick.failure().ifPresent(reason -> witness.failed(brick.name(), reason));
             witness.noted(brick.name(), brick.notes());
         }
     }
@@ -117,8 +144,8 @@ final class WorldRun implements Witness.Instruments {
     private boolean isOver() {
         boolean done = world.goal() > 0 && scene.delivered() >= world.goal();
         boolean running = false;
-        for (SimulatedBrick brick : bricks) {
-            done |= brick.outcome().failure().isPresent();
+        for (Brick brick : bricks) {
+            done |= brick.failure().isPresent();
             running |= brick.isRunning();
         }
         return done || !running;
@@ -126,7 +153,7 @@ final class WorldRun implements Witness.Instruments {
 
     /** A step of the world; the first one only shows the sensors what there is. */
     private void step() {
-        if (laboratory.time() > 0) {
+        if (room.time() > 0) {
             for (int i = 0; i < bricks.length; i++) {
                 for (int m = 0; bricks[i] != null && m < MOTORS.length; m++) {
                     shafts[i][m] = bricks[i].speed(MOTORS[m]);
@@ -160,7 +187,7 @@ final class WorldRun implements Witness.Instruments {
 
     @Override
     public String display(int robot) {
-        SimulatedBrick brick = bricks[robot];
+        Brick brick = bricks[robot];
         return brick == null ? "" : brick.row(0);
     }
 }

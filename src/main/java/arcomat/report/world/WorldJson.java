@@ -31,10 +31,18 @@ import java.util.stream.Stream;
 public final class WorldJson {
     private static final double TENTHS = 10;
 
+    /** By this, and not by way of Java's function, it is the same in a browser. */
+    private static final double DEGREES = 180 / Math.PI;
+
     private WorldJson() {}
 
     public static String render(Recording recording) {
-        return render(recording, PacketWords.of(List.of()), Optional.empty());
+        return Json.compact(fields(recording));
+    }
+
+    /** The same before it is a text; its values are numbers, texts, lists and maps of these. */
+    public static Fields fields(Recording recording) {
+        return fields(recording, PacketWords.of(List.of()), Optional.empty());
     }
 
     /**
@@ -42,23 +50,24 @@ public final class WorldJson {
      * @param ghost another run to be shown beside it
      */
     static String render(Recording recording, PacketWords words, Optional<Ghost> ghost) {
+        return Json.compact(fields(recording, words, ghost));
+    }
+
+    private static Fields fields(Recording recording, PacketWords words, Optional<Ghost> ghost) {
         Fields failures = new Fields();
         for (Robot robot : recording.world().robots()) {
             failures.with(
                     robot.name(), Optional.ofNullable(recording.failures().get(robot.name())));
         }
-        return Json.compact(
-                Fields.of("seed", recording.seeds().first())
-                        .with("then", then(recording.seeds()))
-                        .with("period", Recording.PERIOD)
-                        .with("world", world(recording.world()))
-                        .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
-                        .with(
-                                "events",
-                                recording.events().stream().map(each -> of(each, words)).toList())
-                        .with("failures", failures)
-                        .with("idle", idle(recording.idle()))
-                        .with("ghost", ghost.map(Ghost::json)));
+        return Fields.of("seed", recording.seeds().first())
+                .with("then", then(recording.seeds()))
+                .with("period", Recording.PERIOD)
+                .with("world", world(recording.world()))
+                .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
+                .with("events", recording.events().stream().map(each -> of(each, words)).toList())
+                .with("failures", failures)
+                .with("idle", idle(recording.idle()))
+                .with("ghost", ghost.map(Ghost::json));
     }
 
     /**
@@ -140,7 +149,7 @@ public final class WorldJson {
         Fields fields = Fields.of("socket", "S" + sensor.socket()).with("type", type);
         shownAt(sensor).ifPresent(place -> at(fields, place));
         if (sensor instanceof Device.Ultrasonic ultrasonic) {
-            fields.with("facing", rounded(Math.toDegrees(ultrasonic.facing())));
+            fields.with("facing", rounded(ultrasonic.facing() * DEGREES));
         }
         return fields;
     }
@@ -170,9 +179,9 @@ public final class WorldJson {
         return List.of(
                 rounded(robot.pose().x()),
                 rounded(robot.pose().y()),
-                rounded(Math.toDegrees(robot.pose().heading())),
-                Math.round(robot.left()),
-                Math.round(robot.right()),
+                rounded(robot.pose().heading() * DEGREES),
+                whole(robot.left()),
+                whole(robot.right()),
                 robot.cup().ordinal(),
                 robot.sensors(),
                 robot.display(),
@@ -201,6 +210,11 @@ public final class WorldJson {
     }
 
     private static double rounded(double value) {
-        return Math.round(value * TENTHS) / TENTHS;
+        return whole(value * TENTHS) / TENTHS;
+    }
+
+    /** As a browser computes it, too: it has another idea of what lies half-way below 0. */
+    private static long whole(double value) {
+        return (long) Math.floor(value + 0.5);
     }
 }

@@ -27,6 +27,7 @@ public final class WorldPage {
                     "replay/cards.js",
                     "replay/happenings.js",
                     "replay/player.js",
+                    "replay/stage.js",
                     "replay/replay.js");
 
     private WorldPage() {}

@@ -10,12 +10,9 @@ import arcomat.world.Recording.Event;
 import arcomat.world.Scene.Happening;
 
 import java.util.List;
-import java.util.Locale;
 
 /** A run of a world for people: what happened, and how it ended. */
 public final class WorldText {
-    private static final double SECOND = 1000;
-
     private WorldText() {}
 
     /** A table of what happened, but for messages between robots. */
@@ -48,7 +45,8 @@ public final class WorldText {
     }
 
     private static String seconds(int milliseconds) {
-        return String.format(Locale.ROOT, "%.1f", milliseconds / SECOND);
+        int tenths = (milliseconds + 50) / 100;
+        return tenths / 10 + "." + tenths % 10;
     }
 
     /** How long it took and what came of it; below that line, what may be a fault of the world. */

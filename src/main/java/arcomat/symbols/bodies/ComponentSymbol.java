@@ -17,7 +17,6 @@ import arcomat.tree.Automaton;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
-import arcomat.tree.IoTable;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
@@ -32,9 +31,9 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * A component type, top-level or inner, with what stands in its body: parts, connectors, automata
- * and tables. What is inherited comes before what is declared here; "own" leaves inherited things
- * out. Where something is declared twice, look-ups by name give the first.
+ * A component type, top-level or inner, with what stands in its body: parts, connectors, automata.
+ * What is inherited comes before what is declared here; "own" leaves inherited things out. Where
+ * something is declared twice, look-ups by name give the first.
  */
 public final class ComponentSymbol {
     private final Signature signature;
@@ -42,7 +41,6 @@ public final class ComponentSymbol {
     private final BehaviourReader reader;
     private final Lazy<Map<Behaviour.Foreign, Reading>> readings = new Lazy<>(this::makeReadings);
     private final Lazy<List<AutomatonSymbol>> ownAutomata = new Lazy<>(this::makeAutomata);
-    private final Lazy<List<TableSymbol>> ownTables = new Lazy<>(this::makeTables);
     private final Lazy<List<ComponentSymbol>> lineage = new Lazy<>(this::makeLineage);
     private final Lazy<List<InvariantSymbol>> ownInvariants = new Lazy<>(() -> invariantsOf(this));
     private final Lazy<List<InvariantSymbol>> invariants = new Lazy<>(this::makeInvariants);
@@ -85,12 +83,6 @@ public final class ComponentSymbol {
             }
         }
         return Collections.unmodifiableMap(all);
-    }
-
-    private List<TableSymbol> makeTables() {
-        return node().elements(IoTable.class).stream()
-                .map(node -> new TableSymbol(node, this))
-                .toList();
     }
 
     // ---- what it is -----------------------------------------------------------------------
@@ -237,22 +229,12 @@ public final class ComponentSymbol {
                 .anyMatch(each -> automata(each).contains(automaton.node()));
     }
 
-    /** I/O tables written here. */
-    public List<TableSymbol> ownTables() {
-        return ownTables.get();
-    }
-
     /**
      * The automata that hold for it: its own; where it has no behaviour of its own, those of the
      * nearest ancestor that has.
      */
     public List<AutomatonSymbol> automata() {
         return behaviourOwner().ownAutomata();
-    }
-
-    /** The tables that hold for it, by the rule of {@link #automata}. */
-    public List<TableSymbol> tables() {
-        return behaviourOwner().ownTables();
     }
 
     /**
@@ -266,7 +248,7 @@ public final class ComponentSymbol {
     /** The component whose behaviour holds for this one. */
     private ComponentSymbol behaviourOwner() {
         for (ComponentSymbol component : lineage()) {
-            if (!component.ownAutomata().isEmpty() || !component.ownTables().isEmpty()) {
+            if (!component.ownAutomata().isEmpty()) {
                 return component;
             }
         }

@@ -35,9 +35,4 @@ record ValueTyping(ValueScope scope, TypeSymbol expected) implements Block.Value
     public ItemValue anyMessage(Block.AnyMessage node) {
         return new ItemValue.Mark(node);
     }
-
-    @Override
-    public ItemValue dontCare(Block.DontCare node) {
-        return new ItemValue.Mark(node);
-    }
 }

@@ -6,9 +6,7 @@ import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.ItemSymbol.Side;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
-import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
@@ -18,10 +16,9 @@ import arcomat.symbols.occurrences.Occurrence.Role;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Name;
 
-import java.util.List;
 import java.util.Optional;
 
-/** Names in automata and tables. */
+/** Names in automata. */
 record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
 
     void automaton(AutomatonSymbol automaton) {
@@ -117,28 +114,5 @@ record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
         return value instanceof VariableSymbol variable
                 ? new Referent.Variable(variable)
                 : new Referent.Parameter((ParameterSymbol) value);
-    }
-
-    void table(TableSymbol table) {
-        columns(table.inputs(), Role.READS);
-        columns(table.outputs(), Role.WRITES);
-        for (TableSymbol.Row row : table.rows()) {
-            cells(row.inputs());
-            cells(row.outputs());
-        }
-    }
-
-    private void columns(List<TableSymbol.Column> columns, Role role) {
-        for (TableSymbol.Column column : columns) {
-            column.port()
-                    .ifPresent(
-                            port ->
-                                    places.add(
-                                            column.node().span(), new Referent.Port(port), role));
-        }
-    }
-
-    private void cells(List<ItemValue> cells) {
-        cells.forEach(cell -> expressions.in(cell.expressions()));
     }
 }

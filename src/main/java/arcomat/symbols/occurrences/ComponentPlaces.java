@@ -170,7 +170,19 @@ final class ComponentPlaces implements Element.Visitor {
             (component.isMeaning(automaton) ? meant : behaviours).automaton(automaton);
         }
         places.addNames(translated);
-        component.ownTables().forEach(behaviours::table);
+        component.readings().values().forEach(each -> each.names().forEach(this::named));
+    }
+
+    /** What a language says that it names, besides what is found in its meaning. */
+    private void named(Span name) {
+        component
+                .port(name.text())
+                .ifPresent(
+                        port ->
+                                places.add(
+                                        name,
+                                        new Referent.Port(port),
+                                        port.isInput() ? Role.READS : Role.WRITES));
     }
 
     @Override

@@ -135,6 +135,7 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 optional(context.input, blocks::block),
                 output(context.effect()),
                 actions(context.effect()),
+                0,
                 0);
     }
 

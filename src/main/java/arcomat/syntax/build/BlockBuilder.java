@@ -50,7 +50,7 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
                 span(context), phrases.qualifiedPlace(context.qualifiedPlace()), up);
     }
 
-    /** Values of items and cells of I/O tables. */
+    /** Values of items. */
     static final class ValueBuilder extends TreeBuilder<Block.Value> {
         private ValueBuilder(Phrases phrases) {
             super(phrases);
@@ -85,16 +85,6 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
         public Block.Value visitSequence(ArcomatParser.SequenceContext context) {
             return new Block.Sequence(
                     span(context), phrases.expressions.buildAll(context.expression()));
-        }
-
-        @Override
-        public Block.Value visitAnyCell(ArcomatParser.AnyCellContext context) {
-            return new Block.DontCare(span(context));
-        }
-
-        @Override
-        public Block.Value visitValueCell(ArcomatParser.ValueCellContext context) {
-            return build(context.value());
         }
     }
 }

@@ -142,6 +142,6 @@ final class ClassDiagramBuilder extends TreeBuilder<Entry> {
 
     /** Without the spaces in it. */
     private String text(ParserRuleContext context) {
-        return span(context).text().replaceAll("\\s+", "");
+        return phrases.text(context).replaceAll("\\s+", "");
     }
 }

@@ -8,9 +8,9 @@ import arcomat.tree.Component;
 import arcomat.tree.Component.Parameter;
 import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Element;
-import arcomat.tree.IoTable;
 import arcomat.tree.Name;
 
+import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.List;
@@ -20,22 +20,16 @@ import java.util.Optional;
 /** Component types, and what stands in their bodies: each behaviour language is one method. */
 final class ComponentBuilder extends TreeBuilder<Element> {
     private final AutomatonBuilder automata;
-    private final BlockBuilder.ValueBuilder values;
     private final Computations computations;
     private final List<Token> tokens;
 
     /**
      * @param tokens all those of the file
      */
-    ComponentBuilder(
-            Phrases phrases,
-            AutomatonBuilder automata,
-            BlockBuilder.ValueBuilder values,
-            List<Token> tokens) {
+    ComponentBuilder(Phrases phrases, AutomatonBuilder automata, List<Token> tokens) {
         super(phrases);
         this.automata = automata;
         this.computations = new Computations(phrases, automata.statements, tokens);
-        this.values = values;
         this.tokens = tokens;
     }
 
@@ -215,7 +209,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 span(context),
                 optional(context.kind, phrases::name),
                 phrases.name(context.title),
-                span(context.invariantBody()).text(),
+                phrases.text(context.invariantBody()),
                 InvariantBody.condition(context.invariantBody(), tokens)
                         .map(phrases.expressions::build));
     }
@@ -269,19 +263,12 @@ final class ComponentBuilder extends TreeBuilder<Element> {
 
     @Override
     public Element visitIoTable(ArcomatParser.IoTableContext context) {
-        ArcomatParser.TableInputsContext inputs = context.tableInputs();
-        ArcomatParser.TableOutputsContext outputs = context.tableOutputs();
-        return new IoTable(
-                span(context),
-                phrases.stereotypes(context.stereotypes()),
-                inputs == null ? List.of() : phrases.places(inputs.place()),
-                outputs == null ? List.of() : phrases.places(outputs.place()),
-                each(context.row(), this::row));
-    }
-
-    private IoTable.Row row(ArcomatParser.RowContext context) {
-        return new IoTable.Row(
-                span(context), values.buildAll(context.inputs), values.buildAll(context.outputs));
+        return foreign(
+                context,
+                context.stereotypes(),
+                phrases.name(context.keyword),
+                Optional.empty(),
+                span(context.open, context.stop));
     }
 
     @Override
@@ -297,13 +284,26 @@ final class ComponentBuilder extends TreeBuilder<Element> {
 
     @Override
     public Element visitForeign(ArcomatParser.ForeignContext context) {
-        Span block = span(context.javaBlock());
-        return new Behaviour.Foreign(
-                span(context),
-                phrases.stereotypes(context.stereotypes()),
+        return foreign(
+                context,
+                context.stereotypes(),
                 phrases.name(context.keyword),
                 phrases.optionalName(context.name()),
-                new Span(block.file(), block.start() + 1, block.end() - 1),
+                span(context.javaBlock()));
+    }
+
+    private Behaviour.Foreign foreign(
+            ParserRuleContext context,
+            ArcomatParser.StereotypesContext stereotypes,
+            Name keyword,
+            Optional<Name> name,
+            Span braces) {
+        return new Behaviour.Foreign(
+                span(context),
+                phrases.stereotypes(stereotypes),
+                keyword,
+                name,
+                new Span(braces.file(), braces.start() + 1, braces.end() - 1),
                 List.of());
     }
 

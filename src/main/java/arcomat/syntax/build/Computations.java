@@ -78,7 +78,7 @@ final class Computations {
                 phrases.span(context.start, context.stop),
                 keyword,
                 name,
-                phrases.span(body.start, body.stop).text(),
+                phrases.text(body),
                 first.map(span -> new Name(span, span.text().replaceAll("\\s+", ""))));
     }
 
@@ -106,6 +106,7 @@ final class Computations {
                                 Optional.empty(),
                                 Optional.empty(),
                                 Optional.of(statements),
+                                0,
                                 0)));
     }
 

@@ -102,14 +102,15 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
         // "(a).b" is no qualified name, though its parentheses leave no node.
         boolean isName = primary.name() != null;
         for (ArcomatParser.SuffixContext suffix : suffixes) {
-            result = join(span(primary.start, suffix.stop), result, isName, suffix);
+            result = join(primary.start, result, isName, suffix);
         }
         return result;
     }
 
     /** A name or a call behind a dot; everything else is Java. */
     private Expression join(
-            Span span, Expression target, boolean isName, ArcomatParser.SuffixContext suffix) {
+            Token first, Expression target, boolean isName, ArcomatParser.SuffixContext suffix) {
+        Span span = span(first, suffix.stop);
         if (suffix instanceof ArcomatParser.AccessSuffixContext access) {
             Name name = phrases.name(access.name());
             if (access.arguments() != null) {
@@ -125,13 +126,13 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
             }
         }
         if (suffix instanceof ArcomatParser.IndexSuffixContext index && isName) {
-            return element(span, target, index).orElseGet(() -> java(span));
+            return element(span, target, index).orElseGet(() -> java(first, suffix.stop));
         }
-        return java(span);
+        return java(first, suffix.stop);
     }
 
-    private static Expression java(Span span) {
-        return new JavaExpression(span, span.text());
+    private Expression java(Token first, Token last) {
+        return new JavaExpression(span(first, last), phrases.text(first, last));
     }
 
     /** The last name of a path, with its number. */
@@ -188,14 +189,13 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     private Expression creation(ArcomatParser.PrimaryContext context) {
-        Span span = span(context);
-        return new JavaExpression(span, span.text());
+        return java(context.start, context.stop);
     }
 
     @Override
     public Expression visitLiteral(ArcomatParser.LiteralContext context) {
         Span span = span(context);
-        return new Literal(span, kind(context.kind), phrases.text(span));
+        return new Literal(span, kind(context.kind), phrases.knownText(context));
     }
 
     private static Literal.Kind kind(Token token) {

@@ -41,7 +41,7 @@ final class MemberBuilder extends TreeBuilder<Member> {
                 phrases.name(context.name()),
                 each(context.methodParameters().methodParameter(), this::parameter),
                 phrases.types(context.thrown),
-                optional(context.javaBlock(), block -> span(block).text()));
+                optional(context.javaBlock(), phrases::text));
     }
 
     private MethodParameter parameter(ArcomatParser.MethodParameterContext context) {

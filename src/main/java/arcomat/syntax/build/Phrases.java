@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /**
  * What occurs in definitions of every kind: names, types, stereotypes, variables. Trees of large
@@ -31,41 +32,64 @@ import java.util.Optional;
 final class Phrases {
     final ExpressionBuilder expressions = new ExpressionBuilder(this);
     private final SourceFile file;
+    private final UnaryOperator<Span> places;
     private final KnownTexts texts;
     private Span latest;
+    private Span latestPlace;
 
-    Phrases(SourceFile file) {
+    /**
+     * @param places where what stands in the file is said to stand
+     */
+    Phrases(SourceFile file, UnaryOperator<Span> places) {
         this.file = file;
+        this.places = places;
         this.texts = new KnownTexts(file.text());
         this.latest = file.span(0, 0);
+        this.latestPlace = places.apply(latest);
     }
 
     Span wholeFile() {
-        return file.span(0, file.text().length());
+        return places.apply(file.span(0, file.text().length()));
     }
 
     Span span(Token first, Token last) {
+        Span written = written(first, last);
+        if (latest != written) {
+            latest = written;
+            latestPlace = places.apply(written);
+        }
+        return latestPlace;
+    }
+
+    /** The place in the file itself, whatever it stands for. */
+    private Span written(Token first, Token last) {
         int start = first.getStartIndex();
         int end = last.getStopIndex() + 1;
-        if (latest.start() != start || latest.end() != end) {
-            latest = file.span(start, end);
-        }
-        return latest;
+        return latest.start() == start && latest.end() == end ? latest : file.span(start, end);
+    }
+
+    /** What is written in the file. */
+    String text(ParserRuleContext context) {
+        return text(context.start, context.stop);
+    }
+
+    String text(Token first, Token last) {
+        return written(first, last).text();
     }
 
     private Span span(ParserRuleContext context) {
         return span(context.start, context.stop);
     }
 
-    String text(Span span) {
-        return texts.of(span);
+    /** The same, once for all that are equal. */
+    String knownText(ParserRuleContext context) {
+        return texts.of(written(context.start, context.stop));
     }
 
     // ---- names ----------------------------------------------------------------------------
 
     Name name(Token token) {
-        Span span = span(token, token);
-        return new Name(span, text(span));
+        return new Name(span(token, token), texts.of(written(token, token)));
     }
 
     Name name(ArcomatParser.NameContext context) {

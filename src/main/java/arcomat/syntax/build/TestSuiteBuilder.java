@@ -65,7 +65,7 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
 
     private Before before(ArcomatParser.BeforeContext context) {
         return new Before(
-                span(context), phrases.name(context.name()), span(context.javaBlock()).text());
+                span(context), phrases.name(context.name()), phrases.text(context.javaBlock()));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package arcomat.syntax.build;
 
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Definition;
 import arcomat.tree.QualifiedName;
@@ -12,6 +13,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** Whole files: the way into this package. */
 public final class UnitBuilder extends TreeBuilder<Unit> {
@@ -24,20 +26,22 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
         this.comments = comments;
         BlockBuilder blocks = new BlockBuilder(phrases);
         this.automata = new AutomatonBuilder(phrases, blocks);
-        this.components = new ComponentBuilder(phrases, automata, blocks.values, tokens);
+        this.components = new ComponentBuilder(phrases, automata, tokens);
     }
 
     /**
      * @param context what an entry rule returned, without errors
      * @param tokens every token of the file, comments and its end included
      * @param comments every comment of the file in text order
+     * @param places where what stands in the file is said to stand
      */
     public static Unit unit(
             SourceFile file,
             ParserRuleContext context,
             List<Token> tokens,
-            List<Comment> comments) {
-        return new UnitBuilder(new Phrases(file), tokens, comments).build(context);
+            List<Comment> comments,
+            UnaryOperator<Span> places) {
+        return new UnitBuilder(new Phrases(file, places), tokens, comments).build(context);
     }
 
     @Override

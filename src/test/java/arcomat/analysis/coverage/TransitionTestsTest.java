@@ -27,6 +27,7 @@ import arcomat.symbols.Scenario;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import net.jqwik.api.ForAll;
@@ -175,7 +176,7 @@ class TransitionTestsTest {
         List<Unit> units = new ArrayList<>(workspace.units());
         units.add(parsed.unit().orElseThrow());
         List<StreamTest> read =
-                checked(Workspace.of(units, Set.of())).tests().stream()
+                checked(Workspace.of(units, Set.of(), HouseLanguages.reader())).tests().stream()
                         .filter(test -> test.suite().endsWith("Transitions"))
                         .toList();
         assertThat(read.stream().map(test -> StreamTests.run(test).verdict()))

@@ -17,6 +17,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.api.Test;
 
@@ -122,7 +123,9 @@ class StatementsMeaningTest {
     private static Optional<StepRelation> relation(String text) {
         Parsed parsed = Parser.parse(new SourceFile("C.arc", text));
         assertThat(parsed.findings()).as(text).isEmpty();
-        Workspace workspace = Workspace.of(List.of(parsed.unit().orElseThrow()), Set.of());
+        Workspace workspace =
+                Workspace.of(
+                        List.of(parsed.unit().orElseThrow()), Set.of(), HouseLanguages.reader());
         Set<String> findings =
                 Checks.run(workspace, Profile.REQUIREMENTS).stream()
                         .map(Diagnostic::code)

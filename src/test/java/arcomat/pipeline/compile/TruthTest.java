@@ -23,6 +23,7 @@ import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -120,7 +121,10 @@ class TruthTest {
 
     private static Model model(Path root) {
         Workspace workspace =
-                Workspace.of(ModelFiles.of(root).stream().map(TruthTest::unit).toList(), Set.of());
+                Workspace.of(
+                        ModelFiles.of(root).stream().map(TruthTest::unit).toList(),
+                        Set.of(),
+                        HouseLanguages.reader());
         List<Diagnostic> errors =
                 Checks.run(workspace, Profile.REQUIREMENTS).stream()
                         .filter(Diagnostic::isError)

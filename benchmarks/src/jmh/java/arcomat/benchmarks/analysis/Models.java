@@ -6,6 +6,7 @@ import arcomat.model.Model;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -51,7 +52,8 @@ record Models(Model model) {
                                 sources.stream()
                                         .map(file -> Parser.parse(file).unit().orElseThrow())
                                         .toList(),
-                                Set.of())));
+                                Set.of(),
+                                HouseLanguages.reader())));
     }
 
     Promise promise(String component) {

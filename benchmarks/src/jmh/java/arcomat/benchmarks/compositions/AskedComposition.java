@@ -9,6 +9,7 @@ import arcomat.model.Model;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -43,6 +44,7 @@ public final class AskedComposition {
                         sources.stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
-                        Set.of()));
+                        Set.of(),
+                        HouseLanguages.reader()));
     }
 }

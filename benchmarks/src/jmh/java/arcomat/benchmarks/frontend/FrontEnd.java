@@ -6,6 +6,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 import arcomat.tree.Unit;
 
 import java.util.List;
@@ -28,6 +29,7 @@ final class FrontEnd {
 
     /** Parses, resolves and checks. */
     static List<Diagnostic> check(List<SourceFile> files) {
-        return Checks.run(Workspace.of(parse(files), Set.of()), Profile.EXECUTABLE);
+        return Checks.run(
+                Workspace.of(parse(files), Set.of(), HouseLanguages.reader()), Profile.EXECUTABLE);
     }
 }

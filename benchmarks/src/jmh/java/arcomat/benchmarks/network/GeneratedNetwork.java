@@ -10,6 +10,7 @@ import arcomat.model.Component;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
+import arcomat.translate.HouseLanguages;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -39,7 +40,8 @@ final class GeneratedNetwork {
                         models.stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
-                        Set.of());
+                        Set.of(),
+                        HouseLanguages.reader());
         Component net =
                 Lowering.lower(workspace).components().stream()
                         .filter(component -> component.name().equals("Net"))

@@ -22,13 +22,14 @@ import arcomat.sim.time.VirtualTime;
 import java.lang.invoke.MethodHandle;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
  * A brick with a program, in a {@link Laboratory}. Everything here acts at the moment at which the
  * laboratory's time stands, and takes no time itself.
  */
-public final class SimulatedBrick implements Action.Receiver {
+public final class SimulatedBrick implements Brick, Action.Receiver {
     private final Hardware hardware;
     private final ProgramThreads threads;
     private final BrickLoader loader;
@@ -69,7 +70,7 @@ public final class SimulatedBrick implements Action.Receiver {
         }
     }
 
-    /** The name by which other bricks call this one over Bluetooth. */
+    @Override
     public String name() {
         return hardware.name();
     }
@@ -78,11 +79,17 @@ public final class SimulatedBrick implements Action.Receiver {
         return threads.outcome();
     }
 
+    @Override
+    public Optional<String> failure() {
+        return outcome().failure();
+    }
+
+    @Override
     public boolean isRunning() {
         return outcome().kind() == Outcome.Kind.RUNNING;
     }
 
-    /** Watches the program from now on, instead of whoever watched before. */
+    @Override
     public void observe(Observer observer) {
         hardware.observe(observer);
     }
@@ -106,12 +113,7 @@ public final class SimulatedBrick implements Action.Receiver {
         hardware.socket(socket.ordinal()).expose(stimulus);
     }
 
-    /**
-     * Exposes a sensor to something that need not be known before the program asks for it.
-     *
-     * @param source says what it is; asked once at most. It must not wait, nor let time pass, and
-     *     has to say the same until the sensor is exposed to something else
-     */
+    @Override
     public void expose(SensorName socket, Supplier<Stimulus> source) {
         hardware.socket(socket.ordinal()).expose(source);
     }
@@ -131,12 +133,12 @@ public final class SimulatedBrick implements Action.Receiver {
         return new MotorState(motor.order(), motor.value(), motor.speed(), motor.tachoCount());
     }
 
-    /** The speed of a motor in degrees per second, as it turns now. */
+    @Override
     public double speed(MotorName name) {
         return hardware.motor(name.ordinal()).speed();
     }
 
-    /** A row of the screen, from 0, without spaces at its end. */
+    @Override
     public String row(int number) {
         return hardware.screen().row(number);
     }
@@ -146,10 +148,7 @@ public final class SimulatedBrick implements Action.Receiver {
         return hardware.screen().rows();
     }
 
-    /**
-     * Which lines objects of the program have come to, of those that are noted; in the order in
-     * which they were made.
-     */
+    @Override
     public List<LineNotes> notes() {
         return hardware.notes();
     }

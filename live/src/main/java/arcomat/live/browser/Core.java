@@ -62,6 +62,11 @@ public final class Core {
     }
 
     @JSExport
+    public String floor(String world, int seed) {
+        return desk.floor(world, seed);
+    }
+
+    @JSExport
     public String graph(String component, int automaton, String[] closed) {
         return desk.graph(component, automaton, closed);
     }

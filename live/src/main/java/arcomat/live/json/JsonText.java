@@ -20,6 +20,13 @@ public final class JsonText {
         return json.text.toString();
     }
 
+    /** A text as a value. */
+    static String quoted(String value) {
+        JsonText json = new JsonText();
+        json.string(value);
+        return json.text.toString();
+    }
+
     /** Fills what somebody has opened. */
     @FunctionalInterface
     public interface Fields {
@@ -41,6 +48,13 @@ public final class JsonText {
     public JsonText field(String name, boolean value) {
         name(name);
         next().append(value);
+        return this;
+    }
+
+    /** A value that others have laid down. */
+    public JsonText value(String name, Object value) {
+        name(name);
+        next().append(ValueText.of(value));
         return this;
     }
 

@@ -30,15 +30,33 @@ public final class PagePacker {
                     "address",
                     "editor",
                     "findings",
+                    "picture",
+                    "run",
+                    "prove",
+                    "floor",
+                    "main");
+
+    /** What plays runs on pages of {@code arcomat world}, in the order in which it is used. */
+    private static final List<String> REPLAY =
+            List.of(
+                    "elements",
+                    "replay/recording",
+                    "replay/labels",
+                    "replay/ghost",
+                    "replay/floor",
+                    "replay/cards",
+                    "replay/happenings",
+                    "replay/player",
+                    "replay/stage");
+
+    /** Windows of pictures, as on pages of reports. */
+    private static final List<String> PICTURES =
+            List.of(
                     "picture/wires",
                     "picture/folds",
                     "picture/finder",
                     "picture/legend",
-                    "picture/viewer",
-                    "picture",
-                    "run",
-                    "prove",
-                    "main");
+                    "picture/viewer");
 
     /** Libraries that ask for each other by name; in their jars, by the ends of their paths. */
     private static final Map<String, String> LIBRARIES = libraries();
@@ -66,17 +84,21 @@ public final class PagePacker {
     }
 
     /**
-     * @param args the folders of the page's sources and of those that it shares with reports; the
-     *     core; style sheets; jars with libraries; the file to write
+     * @param args the folder of the page's sources; the core; style sheets; jars with libraries;
+     *     the folder of what pages of reports have; the file to write
      */
     public static void main(String[] args) throws IOException {
-        List<Path> folders = paths(args[0]);
-        Path sources = folders.get(0);
+        Path sources = Path.of(args[0]);
         List<Path> jars = paths(args[3]);
         StringBuilder styles = new StringBuilder();
         for (Path sheet : paths(args[2])) {
             styles.append(Files.readString(sheet));
         }
+        Path report = Path.of(args[4]);
+        styles.append(Files.readString(report.resolve("picture/viewer.css")));
+        styles.append(Files.readString(report.resolve("replay/floor.css")));
+        // Its rules are for a page of its own; here they hold in one view.
+        styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
         styles.append(Files.readString(sources.resolve("live.css")));
         List<String> scripts = new ArrayList<>();
         scripts.add(kept("code-core", Files.readString(Path.of(args[1]))));
@@ -86,12 +108,14 @@ public final class PagePacker {
         scripts.add("<script id=\"models\" type=\"application/json\">" + example + "</script>");
         scripts.add(kept("licence", read(jars, "codemirror__view", "LICENSE")));
         scripts.add(script("", bundle(jars)));
-        scripts.add(script(" type=\"module\"", modules(folders)));
+        scripts.add(script("", shared("replay", REPLAY, "{ Recording, Stage }", report)));
+        scripts.add(script("", shared("PictureViewer", PICTURES, "PictureViewer", report)));
+        scripts.add(script(" type=\"module\"", modules(sources)));
         String page =
                 Files.readString(sources.resolve("page.html"))
                         .replace("@styles@", styles)
                         .replace("@scripts@", String.join("\n", scripts));
-        Files.writeString(Path.of(args[4]), page);
+        Files.writeString(Path.of(args[5]), page);
     }
 
     private static List<Path> paths(String list) {
@@ -99,10 +123,10 @@ public final class PagePacker {
     }
 
     /** The modules one after the other, as if they were one; no two define the same name. */
-    private static String modules(List<Path> folders) throws IOException {
+    private static String modules(Path sources) throws IOException {
         StringBuilder all = new StringBuilder();
         for (String name : MODULES) {
-            String text = Files.readString(module(name + ".js", folders));
+            String text = Files.readString(sources.resolve(name + ".js"));
             all.append(
                     text.lines()
                             .filter(line -> !line.startsWith("import "))
@@ -116,12 +140,14 @@ public final class PagePacker {
         return all.toString();
     }
 
-    private static Path module(String name, List<Path> folders) {
-        return folders.stream()
-                .map(folder -> folder.resolve(name))
-                .filter(Files::exists)
-                .findFirst()
-                .orElseThrow(() -> new IllegalStateException("there is no module " + name));
+    /** Scripts that know each other by name, and of which the page needs a part, under a name. */
+    private static String shared(String name, List<String> files, String part, Path report)
+            throws IOException {
+        StringBuilder all = new StringBuilder("const " + name + " = (() => {\n");
+        for (String file : files) {
+            all.append(Files.readString(report.resolve(file + ".js")));
+        }
+        return all.append("return " + part + ";\n})();\n").toString();
     }
 
     /** Libraries as functions that are called where somebody first asks for them. */

@@ -62,6 +62,7 @@ final class SureTrigger {
         SureTrigger trigger = new SureTrigger();
         AutomatonElement.Transition node = transition.node();
         if (node.rank() > 0
+                || node.turn() > 0
                 || transition.guard().isPresent()
                 || transition.actions().isPresent()
                 || !areMessages(node.input())) {

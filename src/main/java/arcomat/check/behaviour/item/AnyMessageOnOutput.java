@@ -2,12 +2,11 @@ package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.tree.Block;
 
-/** ARC0333: an automaton or a table that code is generated from knows what it sends. */
-public final class AnyMessageOnOutput implements Check.OnItem, Check.OnTable {
+/** ARC0333: an automaton that code is generated from knows what it sends. */
+public final class AnyMessageOnOutput implements Check.OnItem {
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -15,13 +14,6 @@ public final class AnyMessageOnOutput implements Check.OnItem, Check.OnTable {
                 && Items.variable(item).isEmpty()
                 && !Items.isRequirement(context.automaton().orElseThrow())) {
             check(item.value(), findings);
-        }
-    }
-
-    @Override
-    public void check(TableSymbol table, Context context, Findings findings) {
-        for (TableSymbol.Row row : table.rows()) {
-            row.outputs().forEach(cell -> check(cell, findings));
         }
     }
 

@@ -27,10 +27,7 @@ public final class ItemLaws {
                     error("ARC0318", new OmittedNameUnique()).needing(ALL),
                     error("ARC0307", new OutputSideWrites()),
                     error("ARC0314", new SingleMessagePerSlice()).needing(NAMES),
-                    error("ARC0325", new SupportedItem()),
-                    error("ARC0336", new TableCellFits()),
-                    error("ARC0334", new TableColumnsExist()).needing(NAMES),
-                    error("ARC0335", new TableRowWidth()).needing(ALL));
+                    error("ARC0325", new SupportedItem()));
 
     private ItemLaws() {}
 }

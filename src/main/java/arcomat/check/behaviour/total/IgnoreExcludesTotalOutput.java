@@ -2,23 +2,17 @@ package arcomat.check.behaviour.total;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.tree.Stereotype;
 
 import java.util.List;
 
 /** ARC0328: the completion {@code ignore} and a total output exclude each other. */
-public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton, Check.OnTable {
+public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton {
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
         check(automaton.node().stereotypes(), TotalOutputs.of(automaton), findings);
-    }
-
-    @Override
-    public void check(TableSymbol table, Context context, Findings findings) {
-        check(table.node().stereotypes(), TotalOutputs.of(table.component()), findings);
     }
 
     private static void check(

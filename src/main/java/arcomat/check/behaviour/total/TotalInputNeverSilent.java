@@ -3,7 +3,6 @@ package arcomat.check.behaviour.total;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
@@ -11,20 +10,12 @@ import arcomat.symbols.expressions.TypedExpression;
 import arcomat.tree.Node;
 
 /** ARC0338: nobody waits for silence on an input that carries a message in every slice. */
-public final class TotalInputNeverSilent implements Check.OnItem, Check.OnCell, Check.OnExpression {
+public final class TotalInputNeverSilent implements Check.OnItem, Check.OnExpression {
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
         if (item.side() == ItemSymbol.Side.INPUT) {
             Items.port(item).ifPresent(port -> check(item.value(), port, findings));
-        }
-    }
-
-    @Override
-    public void check(
-            ItemValue cell, TableSymbol.Column column, Context context, Findings findings) {
-        if (column.input()) {
-            column.port().ifPresent(port -> check(cell, port, findings));
         }
     }
 

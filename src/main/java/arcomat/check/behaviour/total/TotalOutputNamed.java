@@ -7,19 +7,17 @@ import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.tree.Block;
 import arcomat.tree.Node;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** ARC0327: every block, and every row of a table, sends a message on each total output. */
-public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable {
+/** ARC0327: every block sends a message on each total output. */
+public final class TotalOutputNamed implements Check.OnAutomaton {
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -72,26 +70,6 @@ public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable 
                             .or(() -> block.map(each -> each))
                             .orElse(clause);
             report(place, missing, findings);
-        }
-    }
-
-    @Override
-    public void check(TableSymbol table, Context context, Findings findings) {
-        List<PortSymbol> total = TotalOutputs.of(table.component());
-        List<String> columns = table.outputs().stream().map(c -> c.node().text()).toList();
-        for (TableSymbol.Row row : table.rows()) {
-            List<PortSymbol> missing = new ArrayList<>();
-            for (PortSymbol port : total) {
-                int column = columns.indexOf(port.name());
-                boolean silent = column >= row.outputs().size() || column < 0;
-                if (silent || Items.isSilence(row.outputs().get(column))) {
-                    missing.add(port);
-                }
-            }
-            boolean complete = row.outputs().size() == columns.size();
-            if (!missing.isEmpty() && complete) {
-                report(row.node(), missing, findings);
-            }
         }
     }
 

@@ -14,8 +14,7 @@ public final class BehaviourPresent implements Check.OnComponent {
         boolean hasBehaviour =
                 component.isDecomposed()
                         || component.isPlatform()
-                        || !component.automata().isEmpty()
-                        || !component.tables().isEmpty();
+                        || !component.automata().isEmpty();
         boolean isExcused =
                 component.lacksAncestor()
                         || !MeantParts.in(component).isEmpty()

@@ -61,7 +61,6 @@ public final class ComponentVariableConstant implements Check.OnVariable, Check.
     private static boolean isSilent(ComponentSymbol component) {
         return !component.isDecomposed()
                 && component.ownAutomata().isEmpty()
-                && component.ownTables().isEmpty()
                 && component.ownInvariants().isEmpty()
                 && component.node().elements(Behaviour.Foreign.class).isEmpty()
                 && component.signature().ownVariables().stream()

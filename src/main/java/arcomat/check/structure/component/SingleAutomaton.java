@@ -4,7 +4,6 @@ import arcomat.check.law.Check;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.tree.Name;
 
 import java.util.ArrayList;
@@ -41,9 +40,6 @@ public final class SingleAutomaton implements Check.OnComponent {
         for (AutomatonSymbol automaton : component.ownAutomata()) {
             Span all = automaton.node().span();
             places.add(automaton.node().name().map(Name::span).orElseGet(() -> firstWord(all)));
-        }
-        for (TableSymbol table : component.ownTables()) {
-            places.add(firstWord(table.node().span()));
         }
         places.sort(Comparator.comparingInt(Span::start));
         return places;

@@ -14,7 +14,7 @@ public final class TimedBehaviour implements Check.OnComponent {
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
-        boolean behaves = !component.automata().isEmpty() || !component.tables().isEmpty();
+        boolean behaves = !component.automata().isEmpty();
         component.node().elements(Element.Timing.class).stream()
                 .filter(clause -> behaves && clause.kind() == TimingKind.TIMED)
                 .forEach(

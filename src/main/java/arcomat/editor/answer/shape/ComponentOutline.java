@@ -2,10 +2,11 @@ package arcomat.editor.answer.shape;
 
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.occurrences.Referent;
 import arcomat.symbols.signatures.Signature;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 
 import org.eclipse.lsp4j.SymbolKind;
@@ -15,6 +16,8 @@ import java.util.stream.Stream;
 
 /** The outline of a component: what it declares itself, and what is declared in that. */
 final class ComponentOutline {
+    private static final String AUTOMATON = "automaton";
+
     private ComponentOutline() {}
 
     static OutlineEntry of(ComponentSymbol component) {
@@ -32,8 +35,8 @@ final class ComponentOutline {
                                                                 new Referent.Invariant(each),
                                                                 each.node().span(),
                                                                 Stream.empty())),
-                                component.ownAutomata().stream().map(ComponentOutline::automaton),
-                                component.ownTables().stream().map(ComponentOutline::table))
+                                component.ownAutomata().stream()
+                                        .map(each -> automaton(each, keyword(each, component))))
                         .flatMap(each -> each));
     }
 
@@ -59,10 +62,25 @@ final class ComponentOutline {
     }
 
     static OutlineEntry automaton(AutomatonSymbol automaton) {
+        return automaton(automaton, AUTOMATON);
+    }
+
+    /** Of the language that it is written in. */
+    private static String keyword(AutomatonSymbol automaton, ComponentSymbol component) {
+        return component.node().elements(Behaviour.Foreign.class).stream()
+                .filter(each -> each.span().equals(automaton.node().span()))
+                .map(each -> each.keyword().text())
+                .findFirst()
+                .orElse(AUTOMATON);
+    }
+
+    private static OutlineEntry automaton(AutomatonSymbol automaton, String keyword) {
         Stream<Referent> ports = automaton.declaredPorts().stream().map(Referent.Port::new);
         Stream<Referent> variables = automaton.variables().stream().map(Referent.Variable::new);
         Stream<Referent> states =
-                automaton.states().stream().map(each -> new Referent.State(automaton, each));
+                automaton.states().stream()
+                        .filter(each -> isWritten(each, keyword))
+                        .map(each -> new Referent.State(automaton, each));
         Stream<OutlineEntry> inside =
                 lines(Stream.of(ports, variables, states).flatMap(each -> each));
         Span whole = automaton.node().span();
@@ -70,11 +88,12 @@ final class ComponentOutline {
                 .node()
                 .name()
                 .map(name -> OutlineEntry.of(new Referent.Behaviour(name), whole, inside))
-                .orElseGet(() -> unnamed("automaton", whole, inside));
+                .orElseGet(() -> unnamed(keyword, whole, inside));
     }
 
-    private static OutlineEntry table(TableSymbol table) {
-        return unnamed("table", table.node().span(), Stream.empty());
+    /** In another language no word need stand for a state. */
+    private static boolean isWritten(StateSymbol state, String keyword) {
+        return keyword.equals(AUTOMATON) || state.nameSpan().text().equals(state.name());
     }
 
     private static OutlineEntry unnamed(String name, Span whole, Stream<OutlineEntry> inside) {

@@ -11,6 +11,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
 import arcomat.tree.Unit;
@@ -91,7 +92,8 @@ final class MeasureModel {
         if (parsed.unit().isEmpty()) {
             return broken(parsed.findings().get(0));
         }
-        Workspace workspace = Workspace.of(List.of(diagram, parsed.unit().get()), Set.of());
+        Workspace workspace =
+                Workspace.of(List.of(diagram, parsed.unit().get()), Set.of(), BehaviourReader.NONE);
         List<Diagnostic> errors =
                 Checks.run(workspace, Profile.REQUIREMENTS).stream()
                         .filter(Diagnostic::isError)

@@ -16,7 +16,13 @@ public final class Processor {
      * Microseconds that a call of a device takes: enough for a loop that only asks to see time
      * pass.
      */
-    private static final long CALL = 20;
+    public static final long CALL = 20;
+
+    /**
+     * Microseconds that one round of a loop takes at least, where nothing else is counted: without
+     * it an empty loop would stop time.
+     */
+    public static final long ROUND = 10;
 
     /** Microseconds after which another thread has its turn. */
     private static final long TURN = 1000;

@@ -1,6 +1,7 @@
 package arcomat.sim.inside;
 
 import arcomat.sim.device.Hardware;
+import arcomat.sim.device.Processor;
 
 import lejos.nxt.LCDOutputStream;
 
@@ -10,12 +11,6 @@ import java.io.PrintStream;
 public final class BrickSystem {
     private static final Hardware BRICK = Hardware.of(BrickSystem.class);
     private static final long NANOSECONDS_PER_MICROSECOND = 1000;
-
-    /**
-     * Microseconds that one round of a loop takes at least: without it an empty loop would stop
-     * time.
-     */
-    private static final long ROUND = 10;
 
     /** As on the brick, what is printed appears on the screen. */
     public static PrintStream out = new PrintStream(new LCDOutputStream());
@@ -65,6 +60,6 @@ public final class BrickSystem {
 
     /** A program jumps back in its code. */
     public static void loop() {
-        BRICK.time().spend(ROUND);
+        BRICK.time().spend(Processor.ROUND);
     }
 }

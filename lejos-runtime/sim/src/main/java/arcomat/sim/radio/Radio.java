@@ -14,10 +14,8 @@ public final class Radio {
     private boolean listening;
     private @Nullable Link link;
 
-    /** Who waits for a call; null if nobody does. Looking every moment would cost the PC dear. */
-    private @Nullable Strand sleeper;
-
-    private @Nullable VirtualTime clock;
+    /** Told of a call; null if nobody waits. Looking every moment would cost the PC dear. */
+    private @Nullable Runnable listener;
 
     Radio(String name, Ether ether) {
         this.name = name;
@@ -45,18 +43,37 @@ public final class Radio {
      * @param end when to give up, in microseconds
      */
     public Optional<Link> awaitCall(VirtualTime time, long end) {
-        listening = true;
-        sleeper = time.running();
-        clock = time;
+        Strand sleeper = time.running();
+        listen(() -> time.wake(sleeper));
         try {
-            while (link == null && time.now() < end) {
+            while (!isCalled() && time.now() < end) {
                 time.waitUntil(end);
             }
-            return accepted();
         } finally {
-            listening = false;
-            sleeper = null;
+            stopListening();
         }
+        return accepted();
+    }
+
+    /**
+     * From now on other radios can call this one.
+     *
+     * @param newListener told of the first call
+     */
+    public void listen(Runnable newListener) {
+        listening = true;
+        listener = newListener;
+    }
+
+    /** Whether another radio has made a connection that is not yet taken. */
+    public boolean isCalled() {
+        return link != null;
+    }
+
+    /** From now on nobody can call. */
+    public void stopListening() {
+        listening = false;
+        listener = null;
     }
 
     private Link connectTo(Radio partner) {
@@ -64,14 +81,14 @@ public final class Radio {
         Channel back = ether.channel();
         partner.listening = false;
         partner.link = new Link(name, back, there);
-        if (partner.sleeper != null && partner.clock != null) {
-            partner.clock.wake(partner.sleeper);
+        if (partner.listener != null) {
+            partner.listener.run();
         }
         return new Link(partner.name, there, back);
     }
 
     /** The connection that another radio has made; taken once. */
-    private Optional<Link> accepted() {
+    public Optional<Link> accepted() {
         Optional<Link> accepted = Optional.ofNullable(link);
         link = null;
         return accepted;

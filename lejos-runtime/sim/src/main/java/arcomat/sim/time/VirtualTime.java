@@ -2,17 +2,16 @@ package arcomat.sim.time;
 
 import org.jspecify.annotations.Nullable;
 
-import java.time.Duration;
 import java.util.concurrent.Executor;
 
 /**
  * The clock. It stands still while code runs and moves when every thread waits. Waiting allocates
  * nothing, and a thread that is the next to wake does not even stop.
  *
- * <p>Not thread-safe by locks but by the baton: exactly one strand runs at any moment, and only
- * that one calls anything here.
+ * <p>Here the only strand is the controller's, and all else are timetables: so it needs no threads,
+ * which a browser has none of. {@link ThreadedTime} has as many strands as programs have threads.
  */
-public final class VirtualTime {
+public class VirtualTime {
     public static final long NEVER = Long.MAX_VALUE;
     public static final long MILLISECOND = 1000;
 
@@ -22,12 +21,6 @@ public final class VirtualTime {
     private @Nullable Strand running = controller;
     private long now;
     private long turns;
-    private @Nullable Duration patience;
-    private long started;
-    private boolean abandoned;
-
-    /** What went wrong in the world while no strand was carried; the controller is told. */
-    private @Nullable Throwable failure;
 
     public VirtualTime() {
         add(controller);
@@ -46,13 +39,7 @@ public final class VirtualTime {
 
     /** Lets everything happen up to a moment. Called by the controller only. */
     public void runUntil(long moment) {
-        controller.isCaller();
         waitUntil(moment);
-        Throwable told = failure;
-        if (told != null) {
-            failure = null;
-            throw new IllegalStateException(told);
-        }
     }
 
     /** Returns to the controller as soon as what is due now is done. */
@@ -71,70 +58,14 @@ public final class VirtualTime {
         schedule(strand, Math.max(moment, now));
         Strand next = advance();
         if (next != strand) {
-            handOver(next);
-            await(strand);
+            giveWay(strand, next);
         }
         leaveIfEnded(strand);
     }
 
-    private void handOver(Strand next) {
-        if (next.isCarried()) {
-            next.giveBaton();
-        } else {
-            next.beCarried(() -> carry(next));
-        }
-    }
-
-    /** As long as strands follow each other that nobody carries, one thread carries them all. */
-    private void carry(Strand first) {
-        Strand next = first;
-        try {
-            while (!next.isCarried()) {
-                goOn(next);
-                next = advance();
-            }
-        } catch (RuntimeException | Error e) {
-            failure = e;
-            running = controller;
-            next = controller;
-        }
-        next.giveBaton();
-    }
-
-    private void goOn(Strand strand) {
-        boolean rests = false;
-        try {
-            rests = strand.goOn();
-        } finally {
-            if (!rests) {
-                remove(strand);
-            }
-        }
-    }
-
-    /** Programs that never wait would keep whoever steers the run for ever. */
-    private void await(Strand strand) {
-        if (strand != controller || patience == null) {
-            strand.awaitBaton();
-        } else if (!strand.awaitBatonUntil(started + patience.toNanos())) {
-            abandoned = true;
-            throw new OutOfPatience(patience);
-        }
-    }
-
-    /**
-     * From now on the controller waits so long by the PC's clock, all in all.
-     *
-     * @see OutOfPatience
-     */
-    public void limit(Duration newPatience) {
-        started = System.nanoTime();
-        patience = newPatience;
-    }
-
-    /** Whether the controller has given up: programs may still be running, for good. */
-    public boolean isAbandoned() {
-        return abandoned;
+    /** The calling strand waits until it is its turn again; another one goes on. */
+    void giveWay(Strand caller, Strand next) {
+        throw new IllegalStateException("here are no threads: " + next.name());
     }
 
     /** Ends the wait of another strand at this moment. */
@@ -258,15 +189,27 @@ public final class VirtualTime {
             return;
         }
         if (strand.refusesToEnd()) {
-            remove(strand);
-            handOver(advance());
-            strand.awaitBaton(); // for ever
+            leaveBehind(strand);
         }
         throw new ProgramEnded();
     }
 
+    /** The calling strand never goes on; others do. */
+    void leaveBehind(Strand strand) {
+        remove(strand);
+    }
+
+    final Strand controller() {
+        return controller;
+    }
+
+    /** The controller is to go on, whatever was due. */
+    final void returnToController() {
+        running = controller;
+    }
+
     /** Moves the clock to the next strand that is due, doing what the world does on the way. */
-    private Strand advance() {
+    final Strand advance() {
         running = null;
         while (true) {
             Actor next = earliest();
@@ -301,7 +244,7 @@ public final class VirtualTime {
         actors = more;
     }
 
-    private void remove(Actor actor) {
+    final void remove(Actor actor) {
         actors =
                 java.util.Arrays.stream(actors)
                         .filter(other -> other != actor)

@@ -26,7 +26,7 @@ public final class Rows {
     public boolean hasOk;
 
     public Rows() {
-        // line 6: <<completion = "ignore">> table { in side, n, b; out m, ok; | low | -- | * | => | 1 | true |; | alt {low, --} | 5 | true ..
+        // line 6: table { in side, n, b; out m, ok; | low | -- | * | => | 1 | true |; | alt {low, --} | 5 | true | => | n + 1 | -- |; | ? ..
         hasM = false;
         hasOk = false;
     }

@@ -1,4 +1,4 @@
-package arcomat.pipeline.guest;
+package arcomat.translate;
 
 import arcomat.guest.Vicinity;
 import arcomat.guest.Vicinity.Kind;
@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a guest sees of the component around a behaviour: its signature, and nothing of its body.
+ * What a language sees of the component around a behaviour: its signature, and nothing of its body.
  */
 public final class VicinityView {
     private VicinityView() {}

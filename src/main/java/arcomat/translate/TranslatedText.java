@@ -1,8 +1,9 @@
-package arcomat.pipeline.guest;
+package arcomat.translate;
 
 import arcomat.guest.Meaning.Piece;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
 
 import java.util.ArrayList;
@@ -12,15 +13,15 @@ import java.util.NavigableMap;
 import java.util.TreeMap;
 
 /**
- * What a guest has written, as one text, and where each part of it comes from.
+ * What a language has written, as one text, and where each part of it comes from.
  *
  * @param pieces by the offset in the text at which they begin
  */
-record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
+public record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
     /**
      * @param written at least one piece
      */
-    static TranslatedText of(String path, List<Piece> written) {
+    public static TranslatedText of(String path, List<Piece> written) {
         StringBuilder text = new StringBuilder();
         NavigableMap<Integer, Piece> pieces = new TreeMap<>();
         for (Piece piece : written) {
@@ -37,11 +38,24 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
         return pieces.floorEntry(part.start()).getValue();
     }
 
-    /** With what a text has no words for: guests say it beside. */
-    AutomatonElement placed(AutomatonElement written) {
-        AutomatonElement placed = new PlacedTree(this::origin).move(written);
+    /**
+     * With what a text has no words for: languages say it beside.
+     *
+     * @param written with places in this text
+     * @param placed the same, with those that it comes from
+     */
+    public Automaton ordered(Automaton written, Automaton placed) {
+        List<AutomatonElement> elements = new ArrayList<>();
+        for (int i = 0; i < placed.elements().size(); i++) {
+            elements.add(ordered(written.elements().get(i), placed.elements().get(i)));
+        }
+        return new Automaton(placed.span(), placed.stereotypes(), placed.name(), elements);
+    }
+
+    private AutomatonElement ordered(AutomatonElement written, AutomatonElement placed) {
         if (placed instanceof AutomatonElement.Transition transition) {
-            return transition.withRank(beginning(written.span()).rank());
+            Piece beginning = beginning(written.span());
+            return transition.ordered(beginning.rank(), beginning.turn());
         }
         if (placed instanceof AutomatonElement.States states
                 && written instanceof AutomatonElement.States before) {
@@ -56,7 +70,7 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
     }
 
     /** What a part of the text stands for: exactly, where it was taken over letter by letter. */
-    Span origin(Span part) {
+    public Span origin(Span part) {
         Map.Entry<Integer, Piece> first = pieces.floorEntry(part.start());
         int last = pieces.floorKey(Math.max(part.start(), part.end() - 1));
         if (first.getKey() == last) {
@@ -74,10 +88,22 @@ record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> pieces) {
 
     private static Span origin(Piece piece, int offset, Span part) {
         Span place = piece.place();
-        if (!place.text().equals(piece.text())) {
+        if (!isTakenOver(piece)) {
             return place;
         }
         int start = place.start() + offset;
         return new Span(place.file(), start, start + part.end() - part.start());
+    }
+
+    /** The places whose text was taken over letter by letter. */
+    public List<Span> takenOver() {
+        return pieces.values().stream()
+                .filter(TranslatedText::isTakenOver)
+                .map(Piece::place)
+                .toList();
+    }
+
+    private static boolean isTakenOver(Piece piece) {
+        return piece.place().text().equals(piece.text());
     }
 }

@@ -1,0 +1,86 @@
+package arcomat.world;
+
+/**
+ * The tangent, to the last bit that of {@link StrictMath}; see {@link Circle} for the reason and
+ * for where it is from.
+ */
+final class Tangent {
+    private static final double EIGHTH = 7.85398163397448278999e-01;
+    private static final double EIGHTH_ERROR = 3.06161699786838301793e-17;
+    private static final double AT_MOST_EIGHTH = Circle.bits(0x3fe921fc);
+    private static final double NEAR_EIGHTH = Circle.bits(0x3fe59428);
+    private static final double TINY = 0x1p-28;
+
+    private static final double[] SERIES = {
+        3.33333333333334091986e-01,
+        1.33333333333201242699e-01,
+        5.39682539762260521377e-02,
+        2.18694882948595424599e-02,
+        8.86323982359930005737e-03,
+        3.59207910759131235356e-03,
+        1.45620945432529025516e-03,
+        5.88041240820264096874e-04,
+        2.46463134818469906812e-04,
+        7.81794442939557092300e-05,
+        7.14072491382608190305e-05,
+        -1.85586374855275456654e-05,
+        2.59073051863633712884e-05
+    };
+
+    private Tangent() {}
+
+    /**
+     * @param angle not farther than some turns
+     */
+    static double tan(double angle) {
+        if (Math.abs(angle) < AT_MOST_EIGHTH) {
+            return of(angle, 0, false);
+        }
+        QuarterTurns turns = QuarterTurns.of(angle);
+        return of(turns.rest(), turns.error(), (turns.count() & 1) != 0);
+    }
+
+    /** Of at most an eighth of a turn; or of a quarter more. */
+    private static double of(double x, double error, boolean turned) {
+        if (Math.abs(x) < TINY) {
+            return turned ? reciprocal(x, error) : x;
+        }
+        if (Math.abs(x) < NEAR_EIGHTH) {
+            double rest = rest(x, error);
+            return turned ? reciprocal(x, rest) : x + rest;
+        }
+        double sign = Math.signum(x);
+        double left = EIGHTH - sign * x + (EIGHTH_ERROR - sign * error);
+        double rest = rest(left, 0);
+        double sum = left + rest;
+        double way = turned ? -1 : 1;
+        return sign * (way - 2 * (left - (sum * sum / (sum + way) - rest)));
+    }
+
+    /** What the tangent is more than its argument. */
+    private static double rest(double x, double error) {
+        double square = x * x;
+        double fourth = square * square;
+        double cube = square * x;
+        double sum = everySecond(fourth, 11) + square * everySecond(fourth, 12);
+        return error + square * (cube * sum + error) + SERIES[0] * cube;
+    }
+
+    private static double everySecond(double x, int last) {
+        double sum = SERIES[last];
+        for (int i = last - 2; i >= 1; i -= 2) {
+            sum = SERIES[i] + x * sum;
+        }
+        return sum;
+    }
+
+    /** -1 by the sum, with more digits than a division has. */
+    private static double reciprocal(double x, double rest) {
+        double sum = x + rest;
+        double upper = Circle.upperHalf(sum);
+        double lower = rest - (upper - x);
+        double quotient = -1 / sum;
+        double shortened = Circle.upperHalf(quotient);
+        return shortened + quotient * (1 + shortened * upper + shortened * lower);
+    }
+}
