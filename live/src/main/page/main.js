@@ -233,9 +233,10 @@ class Page {
         return this.desk.ask(question, ...args);
     }
 
-    draw(component, automaton) {
+    /** @param closed parts of a component that do not show what is inside */
+    draw(component, automaton, closed = []) {
         this.drawing = (this.drawing || Promise.resolve()).catch(() => {})
-            .then(() => draw(this.desk, this.layout, component, automaton));
+            .then(() => draw(this.desk, this.layout, component, automaton, closed));
         return this.drawing;
     }
 
@@ -311,17 +312,26 @@ class Page {
         const panel = byId('see').firstElementChild;
         if (!component) {
             panel.textContent = 'There is nothing to see yet.';
+            delete panel.dataset.names;
             return;
         }
         const wanted = component.composite || component.automata.length === 0 ? [-1] : [];
         component.automata.forEach((each, number) => wanted.push(number));
         const version = this.version;
         const pictures = [];
+        if (this.closedIn !== name) {
+            this.closedIn = name;
+            this.closed = [];
+        }
         for (const each of wanted) {
-            pictures.push(await this.draw(name, each));
+            pictures.push(await this.draw(name, each, this.closed));
         }
         if (version === this.version && pictures.every((each) => each !== null)) {
-            hang(panel, pictures);
+            const names = wanted.map((each) => (each < 0 ? name : `automaton ${each + 1} of ${name}`));
+            hang(panel, pictures, names, (_, closed) => {
+                this.closed = closed;
+                this.refresh();
+            });
             document.body.dataset.drawn = String(version);
         }
     }

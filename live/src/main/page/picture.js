@@ -69,9 +69,9 @@ export function linesOf(root) {
     return lines.map((line) => line.join(' ')).join('\n');
 }
 
-/** Draws a component or one of its automata: SVG of the tool's own, with names of states and ports on its elements. */
-export async function draw(desk, layout, component, automaton) {
-    const question = await desk.ask('graph', component, automaton);
+/** Draws a component, with some of its parts closed, or one of its automata: SVG of the tool's own, with names of states and ports on its elements. */
+export async function draw(desk, layout, component, automaton, closed) {
+    const question = await desk.ask('graph', component, automaton, closed);
     const graph = JSON.parse(question);
     if (graph.refused) {
         return null;
@@ -90,22 +90,31 @@ export function light(picture, kind, names, style) {
     }
 }
 
-/** Letters of a picture are no smaller than so, as a share of their size; what is wider is moved. */
-const SMALLEST = 0.62;
-
-/** Shows pictures of the core in a panel; those that do not fit can be moved, by keys as well. */
-export function hang(panel, pictures) {
-    panel.innerHTML = pictures.join(''); // written by the core: texts are escaped
-    panel.querySelectorAll('svg').forEach((svg) => {
-        svg.style.minWidth = Math.round(svg.viewBox.baseVal.width * SMALLEST) + 'px';
-    });
-    panel.onmouseover = (event) => lightWires(panel, event.target.closest('[data-connector]'));
-    panel.onmouseleave = () => lightWires(panel, null);
+/**
+ * Shows pictures of the core in a panel, each in a window of its own. What was there before under the same names stays as large,
+ * and where it was.
+ *
+ * @param names of what they show
+ * @param folded told a picture's number and the parts of it that were closed
+ */
+export function hang(panel, pictures, names, folded = () => {}) {
+    const key = JSON.stringify(names);
+    if (panel.dataset.names === key) {
+        pictures.forEach((picture, number) => panel.viewers[number].renew(elementOf(picture)));
+        return;
+    }
+    panel.dataset.names = key;
+    panel.viewers = pictures.map((picture, number) => viewer(picture, names[number], (closed) => folded(number, closed)));
+    panel.replaceChildren(...panel.viewers.map((each) => each.element));
 }
 
-/** All that leads from the same sender is one wire, which forks. */
-function lightWires(panel, one) {
-    const sender = (wire) => wire.dataset.connector.split(' -> ')[0];
-    panel.querySelectorAll('[data-connector]').forEach((wire) =>
-        wire.classList.toggle('lit', one !== null && sender(wire) === sender(one)));
+/** A picture of the core in a window. */
+export function viewer(picture, name, folded) {
+    return new PictureViewer(elementOf(picture), name, folded);
+}
+
+function elementOf(picture) {
+    const made = document.createElement('template');
+    made.innerHTML = picture; // written by the core: texts are escaped
+    return made.content.firstElementChild;
 }

@@ -1,7 +1,7 @@
 // Questions about promises, in a worker of their own that can be stopped; a counterexample is stepped through.
 
 import { button, make } from './elements.js';
-import { light } from './picture.js';
+import { light, viewer } from './picture.js';
 
 const MILLISECONDS = 120000;
 
@@ -170,7 +170,7 @@ export class ProveView {
                 const figure = make('figure', { 'data-side': side },
                     make('figcaption', {}, `${side}: ${title}`));
                 figure.dataset.states = JSON.stringify(component.automata[0].states);
-                figure.insertAdjacentHTML('beforeend', await this.page.draw(name, 0)); // of the core: texts are escaped
+                figure.append(viewer(await this.page.draw(name, 0), `${side}: ${title}`).element);
                 figures.push(figure);
             }
         }

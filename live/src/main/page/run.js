@@ -21,7 +21,7 @@ export class RunView {
         this.choice = make('div', { class: 'choice', role: 'group' });
         this.table = make('div', { class: 'steps', tabindex: '0', role: 'region', 'aria-label': 'Steps so far' });
         this.message = make('p', { role: 'status' });
-        this.pictures = make('div', { class: 'pictures', tabindex: '0', role: 'region', 'aria-label': 'Pictures of the run' });
+        this.pictures = make('div', { class: 'pictures', role: 'group', 'aria-label': 'Pictures of the run' });
         panel.append(this.form, this.choice, this.message, this.table, this.pictures);
         panel.addEventListener('keydown', (event) => {
             if (event.altKey && event.key === 'Backspace') {
@@ -197,7 +197,7 @@ export class RunView {
             for (const each of all) {
                 pictures.push(await this.page.draw(this.component, each));
             }
-            hang(this.pictures, pictures);
+            hang(this.pictures, pictures, pictures.map(() => this.component));
         }
         const last = answer.steps[answer.steps.length - 1];
         const own = last ? last.activities.filter((each) => each.instance === '') : [];

@@ -1,8 +1,5 @@
 // Pictures that follow the run: what the tracks show at a step is marked in them.
 
-/** Smaller than that, a picture is scrolled rather than shrunk. */
-const SMALLEST = 0.55;
-
 class Pictures {
   constructor(story) {
     this.story = story;
@@ -10,9 +7,9 @@ class Pictures {
     this.all = story.drawings.map((drawing) => {
       const svg = templates[drawing.picture].content.firstElementChild.cloneNode(true);
       const tracks = story.tracks.filter((track) => drawing.tracks.includes(track.name));
-      const figure = element("figure", {}, element("figcaption", {}, drawing.title), element("div", { class: "drawing" }, svg));
+      const viewer = new PictureViewer(svg, drawing.title);
+      const figure = element("figure", {}, element("figcaption", {}, drawing.title), viewer.element);
       figure.style.flexBasis = svg.getAttribute("width") + "px";
-      svg.style.minWidth = Math.round(svg.getAttribute("width") * SMALLEST) + "px";
       const carried = drawing.carried === undefined ? null : new Carried(svg, drawing.carried, story.tracks);
       return { figure, svg, tracks, carried };
     });

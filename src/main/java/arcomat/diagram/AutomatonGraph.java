@@ -25,6 +25,9 @@ import java.util.stream.IntStream;
  * named by their index in the automaton.
  */
 public final class AutomatonGraph {
+    /** So many transitions hardly fit on a screen. */
+    private static final int MANY = 25;
+
     private final Automaton automaton;
     private final Highlights highlights;
 
@@ -34,17 +37,29 @@ public final class AutomatonGraph {
     }
 
     public static Graph of(Component component, Automaton automaton) {
-        return of(component.title(automaton), automaton, Highlights.NONE);
+        return of(component, automaton, Highlights.NONE);
+    }
+
+    /** With the component's ports around it, and what else is said of the component. */
+    public static Graph of(Component component, Automaton automaton, Highlights highlights) {
+        List<Line> said = new ArrayList<>(ComponentHead.lines(component));
+        if (PortMarks.showDelay(component)) {
+            said.add(PortMarks.LEGEND);
+        }
+        return new AutomatonGraph(automaton, highlights)
+                .graph(component.title(automaton), said, PortMarks.of(component, ""));
     }
 
     /**
+     * The automaton alone.
+     *
      * @param title above the picture
      */
     public static Graph of(String title, Automaton automaton, Highlights highlights) {
-        return new AutomatonGraph(automaton, highlights).graph(title);
+        return new AutomatonGraph(automaton, highlights).graph(title, List.of(), List.of());
     }
 
-    private Graph graph(String title) {
+    private Graph graph(String title, List<Line> said, List<Graph.Port> ports) {
         List<Node> nodes = new ArrayList<>();
         List<Edge> edges = new ArrayList<>();
         for (int i = 0; i < automaton.initials().size(); i++) {
@@ -69,8 +84,8 @@ public final class AutomatonGraph {
                 new Node(
                         Mark.of("frame", "", automaton.span()),
                         Form.BOX,
-                        head(title),
-                        List.of(),
+                        head(title, said),
+                        ports,
                         nodes,
                         edges,
                         0);
@@ -136,7 +151,7 @@ public final class AutomatonGraph {
         return order;
     }
 
-    /** Transitions into a state that say the same, out of several other ones. */
+    /** Transitions into a state that say the same, out of several ones. */
     private record Meeting(int target, List<Integer> transitions) {
         String name() {
             return "into " + target + " " + transitions.get(0);
@@ -151,7 +166,7 @@ public final class AutomatonGraph {
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition each = automaton.transitions().get(i);
             String label = TransitionText.full(each); // what is shown may be cut
-            if (each.source() != each.target() && !label.isEmpty()) {
+            if (!label.isEmpty()) {
                 List<Highlights.Highlight> found =
                         highlights.transitions().getOrDefault(i, List.of());
                 same.computeIfAbsent(List.of(each.target(), label, found), k -> new ArrayList<>())
@@ -164,9 +179,16 @@ public final class AutomatonGraph {
                 .toList();
     }
 
+    /**
+     * A loop at the state joins those that come from several others. Beside one other, two ways are
+     * read more easily, unless there are so many labels that each of them is in the way.
+     */
     private boolean comeFromSeveral(List<Integer> transitions) {
+        boolean many = automaton.transitions().size() >= MANY;
         return transitions.stream()
-                        .map(each -> automaton.transitions().get(each).source())
+                        .map(automaton.transitions()::get)
+                        .filter(each -> many || each.source() != each.target())
+                        .map(Automaton.Transition::source)
                         .distinct()
                         .count()
                 > 1;
@@ -256,9 +278,10 @@ public final class AutomatonGraph {
         return caption(Highlights.apply(mark, found, "label", "label-"), lines);
     }
 
-    private List<Line> head(String title) {
+    private List<Line> head(String title, List<Line> said) {
         List<Line> lines = new ArrayList<>();
         lines.add(Line.bold(title));
+        lines.addAll(said);
         for (Variable variable : automaton.variables()) {
             lines.add(Line.small(variable.type().simpleName() + " " + variable.name()));
         }

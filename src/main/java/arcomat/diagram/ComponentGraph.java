@@ -8,12 +8,12 @@ import arcomat.diagram.Graph.Node;
 import arcomat.model.Component;
 import arcomat.model.Component.Part;
 import arcomat.model.ExpressionText;
-import arcomat.model.Port;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -22,31 +22,43 @@ import java.util.stream.Collectors;
  * by their path from the component.
  */
 public final class ComponentGraph {
-    private static final String LEGEND = "\u25a0 sends one slice later";
-
     private final int depth;
 
-    private ComponentGraph(int depth) {
+    /** Paths of parts that do not show what is inside. */
+    private final Set<String> closed;
+
+    private ComponentGraph(int depth, Set<String> closed) {
         this.depth = depth;
+        this.closed = Set.copyOf(closed);
     }
 
     /**
      * @param depth how many levels of parts are shown: 1 for the parts as closed boxes
      */
     public static Graph of(Component component, int depth) {
-        ComponentGraph drawing = new ComponentGraph(depth);
+        return of(component, depth, Set.of());
+    }
+
+    /**
+     * As above.
+     *
+     * @param closed paths of parts that do not show what is inside, and say so
+     */
+    public static Graph of(Component component, int depth, Set<String> closed) {
+        ComponentGraph drawing = new ComponentGraph(depth, closed);
         Mark mark = Mark.of("frame", "", component.span());
         List<Line> title = new ArrayList<>();
         title.add(Line.bold(component.qualifiedName()));
+        title.addAll(ComponentHead.lines(component));
         if (drawing.showsDelay(component, 0)) {
-            title.add(Line.small(LEGEND));
+            title.add(PortMarks.LEGEND);
         }
         Node frame = drawing.node(mark, title, component, "", 0);
         return new Graph(component.qualifiedName(), List.of(frame), Graph.Flow.RIGHT);
     }
 
     private boolean showsDelay(Component component, int level) {
-        if (component.outputs().stream().anyMatch(port -> port.delay() > 0)) {
+        if (PortMarks.showDelay(component)) {
             return true;
         }
         return level < depth
@@ -56,8 +68,10 @@ public final class ComponentGraph {
     }
 
     private Node node(Mark mark, List<Line> title, Component component, String path, int level) {
-        List<Graph.Port> ports = ports(component, path);
-        if (!(component.body() instanceof Component.Composite composite) || level >= depth) {
+        List<Graph.Port> ports = PortMarks.of(component, path);
+        if (!(component.body() instanceof Component.Composite composite)
+                || level >= depth
+                || closed.contains(mark.name())) {
             return new Node(mark, Form.BOX, title, ports, List.of(), List.of(), rank(component));
         }
         List<Node> parts = new ArrayList<>();
@@ -83,13 +97,16 @@ public final class ComponentGraph {
                 Mark.of("part", path + part.name(), part.span())
                         .styled(style(component))
                         .telling(part.name() + ": " + component.qualifiedName());
+        if (component.isComposite() && closed.contains(mark.name())) {
+            mark = mark.styled("folded");
+        }
         String arguments =
                 part.arguments().isEmpty()
                         ? ""
                         : part.arguments().stream()
                                 .map(ExpressionText::of)
                                 .collect(Collectors.joining(", ", "(", ")"));
-        String type = component.name() + arguments;
+        String type = ComponentHead.simpleName(component.name()) + arguments;
         List<Line> title = List.of(Line.bold(part.name()), Line.small(type));
         return node(mark, title, component, path + part.name() + ".", level + 1);
     }
@@ -105,27 +122,5 @@ public final class ComponentGraph {
     private static End end(Component.Endpoint endpoint, String path) {
         String node = endpoint.part().map(part -> path + part).orElse(null);
         return new End(Optional.ofNullable(node), Optional.of(path + endpoint));
-    }
-
-    private static List<Graph.Port> ports(Component component, String path) {
-        List<Graph.Port> ports = new ArrayList<>();
-        for (Port port : component.ports()) {
-            Mark mark =
-                    Mark.of("port", path + port.name(), port.span())
-                            .telling(
-                                    (port.isInput() ? "in " : "out ")
-                                            + port.type().simpleName()
-                                            + " "
-                                            + port.name());
-            if (port.delay() > 0) {
-                mark = mark.styled("delayed").telling("one slice later");
-            } else {
-                mark = mark.styled("instant");
-            }
-            ports.add(
-                    new Graph.Port(
-                            mark, port.isInput(), port.name() + ": " + port.type().simpleName()));
-        }
-        return ports;
     }
 }

@@ -25,6 +25,9 @@ import java.util.stream.Collectors;
 record ElkPlaces(
         Map<Node, ElkNode> nodes, Map<Graph.Port, ElkPort> ports, Map<Edge, List<ElkEdge>> edges)
         implements LayoutPlaces {
+    /** Between a port and its text outside: nothing leads to it there. */
+    private static final double GAP = 4;
+
     @Override
     public Box node(Node node) {
         return box(placed(node));
@@ -42,7 +45,17 @@ record ElkPlaces(
 
     @Override
     public Box label(Graph.Port port) {
-        return box(placed(port).getLabels().get(0));
+        ElkPort place = placed(port);
+        Box box = box(place.getLabels().get(0));
+        boolean outside = box.x() < 0 == port.left();
+        double y = (place.getHeight() - box.height()) / 2;
+        return outside
+                ? new Box(
+                        port.left() ? -box.width() - GAP : place.getWidth() + GAP,
+                        y,
+                        box.width(),
+                        box.height())
+                : box;
     }
 
     /**

@@ -140,6 +140,11 @@ public record Graph(String title, List<Node> roots, Flow flow) {
                             .orElseThrow();
         }
 
+        /** Of the port, or of the node where it has none. */
+        String name(Node holder) {
+            return port.or(() -> node).orElse(holder.name());
+        }
+
         static End of(String node) {
             return new End(Optional.of(node), Optional.empty());
         }

@@ -4,9 +4,13 @@ import arcomat.diagram.Graph.Edge;
 import arcomat.diagram.Graph.Form;
 import arcomat.diagram.Graph.Node;
 
+import org.eclipse.elk.alg.layered.components.ComponentOrderingStrategy;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.EdgeLabelSideSelection;
+import org.eclipse.elk.alg.layered.options.GraphCompactionStrategy;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
+import org.eclipse.elk.alg.layered.options.LayeringStrategy;
+import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
 import org.eclipse.elk.alg.layered.options.OrderingStrategy;
 import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
 import org.eclipse.elk.core.math.ElkMargin;
@@ -45,8 +49,11 @@ import java.util.Objects;
 public final class LayeredLayout {
     static final double PORT = 9;
 
-    /** Width and height of a page on a screen. */
-    private static final double PAGE = 1100;
+    /** Beside other things. */
+    private static final Sheet PAGE = new Sheet(1100, 1100);
+
+    /** All of a small one. */
+    private static final Sheet SCREEN = new Sheet(1440, 900);
 
     static final double DOT = 11;
 
@@ -74,36 +81,96 @@ public final class LayeredLayout {
     private final Map<Node, ElkPort> meetings = new IdentityHashMap<>();
 
     private final Direction direction;
-
-    /** Whether nodes come in the order in which they are to be read. */
-    private final boolean ordered;
+    private final Method method;
 
     /** Whether edges lead into boxes and out of them. */
     private final boolean boxed;
 
-    private LayeredLayout(Direction direction, boolean ordered, boolean boxed) {
+    private LayeredLayout(Direction direction, Method method, boolean boxed) {
         this.direction = direction;
-        this.ordered = ordered;
+        this.method = method;
         this.boxed = boxed;
     }
 
+    /** How nodes get into layers, and where in a layer they stand. */
+    private record Method(
+            CycleBreakingStrategy backEdges,
+            LayeringStrategy layers,
+            NodePlacementStrategy places,
+            GraphCompactionStrategy compaction) {
+        /** For what has no beginning: senders stand before those that listen. */
+        static final Method FLOW =
+                new Method(
+                        CycleBreakingStrategy.GREEDY_MODEL_ORDER,
+                        LayeringStrategy.NETWORK_SIMPLEX,
+                        NodePlacementStrategy.BRANDES_KOEPF,
+                        GraphCompactionStrategy.NONE);
+
+        /** Nodes come in the order in which they are to be read. */
+        static final Method READING =
+                new Method(
+                        CycleBreakingStrategy.MODEL_ORDER,
+                        LayeringStrategy.NETWORK_SIMPLEX,
+                        NodePlacementStrategy.BRANDES_KOEPF,
+                        GraphCompactionStrategy.NONE);
+
+        /**
+         * For automata that do not fit a screen in that order, because of long ways back: fewer
+         * ways back, fewer layers, and no room that nobody needs.
+         */
+        static final List<Method> DENSE =
+                List.of(
+                        new Method(
+                                CycleBreakingStrategy.GREEDY_MODEL_ORDER,
+                                LayeringStrategy.LONGEST_PATH,
+                                NodePlacementStrategy.LINEAR_SEGMENTS,
+                                GraphCompactionStrategy.EDGE_LENGTH),
+                        new Method(
+                                CycleBreakingStrategy.GREEDY,
+                                LayeringStrategy.NETWORK_SIMPLEX,
+                                NodePlacementStrategy.LINEAR_SEGMENTS,
+                                GraphCompactionStrategy.EDGE_LENGTH));
+    }
+
+    /** In the order of reading, if that fits; else as it fits a screen best. */
     public static Picture of(Graph graph) {
-        Picture right = of(graph, Direction.RIGHT);
-        if (graph.flow() == Graph.Flow.RIGHT || scale(right) == 1) {
+        if (graph.flow() == Graph.Flow.RIGHT) {
+            return of(graph, Direction.RIGHT, Method.FLOW);
+        }
+        Picture right = of(graph, Direction.RIGHT, Method.READING);
+        if (PAGE.scale(right) == 1) {
             return right;
         }
-        Picture down = of(graph, Direction.DOWN);
-        return scale(down) > scale(right) ? down : right;
+        Picture down = of(graph, Direction.DOWN, Method.READING);
+        Picture plain = PAGE.better(right, down);
+        boolean single = graph.roots().size() == 1 && !hasBoxes(graph.roots());
+        return single && SCREEN.scale(plain) < 1 ? dense(graph, plain) : plain;
     }
 
-    /** To what part of its size a picture has to shrink to fit a page. */
-    private static double scale(Picture picture) {
-        return Math.min(1, Math.min(PAGE / picture.width(), PAGE / picture.height()));
+    private static Picture dense(Graph graph, Picture plain) {
+        Picture best = plain;
+        for (Method method : Method.DENSE) {
+            for (Direction direction : List.of(Direction.RIGHT, Direction.DOWN)) {
+                best = SCREEN.better(best, of(graph, direction, method));
+            }
+        }
+        return best;
     }
 
-    private static Picture of(Graph graph, Direction direction) {
-        boolean ordered = graph.flow() == Graph.Flow.EITHER;
-        LayeredLayout layout = new LayeredLayout(direction, ordered, hasBoxes(graph.roots()));
+    /** What pictures are to fit, in pixels. */
+    private record Sheet(double width, double height) {
+        /** To what part of its size a picture has to shrink. */
+        double scale(Picture picture) {
+            return Math.min(1, Math.min(width / picture.width(), height / picture.height()));
+        }
+
+        Picture better(Picture one, Picture other) {
+            return scale(other) > scale(one) ? other : one;
+        }
+    }
+
+    private static Picture of(Graph graph, Direction direction, Method method) {
+        LayeredLayout layout = new LayeredLayout(direction, method, hasBoxes(graph.roots()));
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
@@ -129,11 +196,13 @@ public final class LayeredLayout {
         node.setProperty(LayeredOptions.DIRECTION, direction);
         node.setProperty(
                 LayeredOptions.CYCLE_BREAKING_STRATEGY,
-                boxed
-                        ? CycleBreakingStrategy.GREEDY
-                        : ordered
-                                ? CycleBreakingStrategy.MODEL_ORDER
-                                : CycleBreakingStrategy.GREEDY_MODEL_ORDER);
+                boxed ? CycleBreakingStrategy.GREEDY : method.backEdges());
+        node.setProperty(LayeredOptions.LAYERING_STRATEGY, method.layers());
+        node.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, method.places());
+        node.setProperty(LayeredOptions.COMPACTION_POST_COMPACTION_STRATEGY, method.compaction());
+        node.setProperty(
+                LayeredOptions.CONSIDER_MODEL_ORDER_COMPONENTS,
+                ComponentOrderingStrategy.MODEL_ORDER);
         node.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE, 28.0);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, crowded ? 32.0 : 44.0);

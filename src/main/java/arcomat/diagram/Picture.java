@@ -1,6 +1,7 @@
 package arcomat.diagram;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A picture in which everything has its place, in pixels from the upper left corner.
@@ -12,12 +13,27 @@ public record Picture(String title, double width, double height, List<Element> e
         elements = List.copyOf(elements);
     }
 
-    /** Shapes that belong together. */
-    public record Element(Mark mark, List<Shape> shapes) {
+    /**
+     * Shapes that belong together.
+     *
+     * @param ends what a line connects; empty for all but lines
+     */
+    public record Element(Mark mark, Optional<Ends> ends, List<Shape> shapes) {
         public Element {
             shapes = List.copyOf(shapes);
         }
+
+        static Element of(Mark mark, List<Shape> shapes) {
+            return new Element(mark, Optional.empty(), shapes);
+        }
     }
+
+    /**
+     * Names of what a line connects: of ports, or of nodes without any.
+     *
+     * @param holder the node that it lies in
+     */
+    public record Ends(String holder, String from, String to) {}
 
     /** What can be drawn. */
     public sealed interface Shape {

@@ -10,6 +10,7 @@ import arcomat.diagram.Picture.Shape;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Draws a graph whose layout is known. */
 public final class PlacedPicture {
@@ -60,11 +61,10 @@ public final class PlacedPicture {
                             ? card(node.lines(), label, box)
                             : texts(node.lines(), label, true));
         }
-        elements.add(new Element(node.mark(), shapes));
+        elements.add(Element.of(node.mark(), shapes));
         node.children().forEach(child -> place(child, box.x(), box.y()));
         for (Edge edge : node.edges()) {
-            Node target = edge.target().in(node);
-            place(edge, target.form() != Form.JUNCTION, places.route(node, edge), box);
+            place(edge, node, box);
         }
         node.ports().forEach(port -> place(port, box.x(), box.y()));
     }
@@ -79,10 +79,12 @@ public final class PlacedPicture {
         shapes.add(new Picture.Rectangle(box, 0));
         Box label = places.label(port).moved(box.x(), box.y());
         shapes.addAll(texts(List.of(Graph.Line.small(port.label())), label, false));
-        elements.add(new Element(port.mark(), shapes));
+        elements.add(Element.of(port.mark(), shapes));
     }
 
-    private void place(Edge edge, boolean head, LayoutPlaces.Route route, Box holder) {
+    private void place(Edge edge, Node node, Box holder) {
+        LayoutPlaces.Route route = places.route(node, edge);
+        boolean head = edge.target().in(node).form() != Form.JUNCTION;
         List<Point> points =
                 route.points().stream().map(each -> each.plus(holder.x(), holder.y())).toList();
         List<Shape> shapes = new ArrayList<>();
@@ -90,7 +92,9 @@ public final class PlacedPicture {
         for (Point fork : route.forks()) {
             shapes.add(new Picture.Circle(fork.plus(holder.x(), holder.y()), FORK));
         }
-        elements.add(new Element(edge.mark(), shapes));
+        Picture.Ends ends =
+                new Picture.Ends(node.name(), edge.source().name(node), edge.target().name(node));
+        elements.add(new Element(edge.mark(), Optional.of(ends), shapes));
         route.label()
                 .ifPresent(label -> place(edge.captions(), label.moved(holder.x(), holder.y())));
     }
@@ -100,7 +104,7 @@ public final class PlacedPicture {
         for (Graph.Caption caption : captions) {
             double height = TextSize.ofLines(caption.lines()).height();
             Box own = new Box(box.x(), box.y() + below, box.width(), height);
-            elements.add(new Element(caption.mark(), texts(caption.lines(), own, true)));
+            elements.add(Element.of(caption.mark(), texts(caption.lines(), own, true)));
             below += height + TextSize.GAP;
         }
     }

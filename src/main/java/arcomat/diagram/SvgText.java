@@ -44,7 +44,12 @@ public final class SvgText implements Picture.Pen {
 
     /** A part of a page that brings {@link Theme#css} itself. */
     public static String embedded(Picture picture) {
-        SvgText svg = new SvgText(place -> Optional.empty());
+        return embedded(picture, place -> Optional.empty());
+    }
+
+    /** As above, with addresses of places in models, where there are such. */
+    public static String embedded(Picture picture, Function<Span, Optional<String>> links) {
+        SvgText svg = new SvgText(links);
         svg.open(picture);
         return svg.close(picture);
     }
@@ -68,6 +73,7 @@ public final class SvgText implements Picture.Pen {
         String styles = String.join(" ", mark.styles());
         text.append("<g class=\"" + mark.kind() + (styles.isEmpty() ? "" : " " + styles) + "\"")
                 .append(" data-" + mark.kind() + "=\"" + Markup.escaped(mark.name()) + "\"");
+        element.ends().ifPresent(this::ends);
         mark.place()
                 .map(SvgText::lineOf)
                 .ifPresent(line -> text.append(" data-place=\"" + Markup.escaped(line) + "\""));
@@ -79,6 +85,13 @@ public final class SvgText implements Picture.Pen {
         }
         element.shapes().forEach(shape -> shape.draw(this));
         text.append(link.isPresent() ? "</a></g>\n" : "</g>\n");
+    }
+
+    /** For pages that light up all of a wire. */
+    private void ends(Picture.Ends ends) {
+        text.append(" data-in=\"" + Markup.escaped(ends.holder()) + "\"")
+                .append(" data-from=\"" + Markup.escaped(ends.from()) + "\"")
+                .append(" data-to=\"" + Markup.escaped(ends.to()) + "\"");
     }
 
     private static String lineOf(Span place) {

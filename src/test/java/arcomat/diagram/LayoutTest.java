@@ -48,22 +48,39 @@ class LayoutTest {
         return graphs;
     }
 
-    @Test
-    void coffeeService() {
-        Workspace workspace =
+    private static Model coffee() {
+        return Lowering.lower(
                 Workspace.of(
                         ModelFiles.of(Path.of("models/coffee")).stream()
                                 .map(file -> Parser.parse(file).unit().orElseThrow())
                                 .toList(),
                         Set.of(),
-                        HouseLanguages.reader());
-        List<Graph> graphs = graphs(Lowering.lower(workspace));
+                        HouseLanguages.reader()));
+    }
+
+    @Test
+    void coffeeService() {
+        List<Graph> graphs = graphs(coffee());
         assertThat(graphs).hasSizeGreaterThan(30);
         for (Graph graph : graphs) {
             String svg = svg(graph);
             assertThat(Overlaps.in(svg)).as(graph.title()).isEmpty();
             assertThat(svg(graph)).isEqualTo(svg);
         }
+    }
+
+    /** Ten states and 45 transitions: all of it on a small screen, in letters that can be read. */
+    @Test
+    void aLargeAutomatonIsReadableOnASmallScreen() {
+        Graph graph =
+                graphs(coffee()).stream()
+                        .filter(each -> each.title().equals("coffee.floor.Drive"))
+                        .skip(1) // the component itself
+                        .findFirst()
+                        .orElseThrow();
+        Picture picture = LayeredLayout.of(graph);
+        double scale = Math.min(1440 / picture.width(), 900 / picture.height());
+        assertThat(11 * scale).as("pixels of its smallest letters").isGreaterThan(9);
     }
 
     /** What is cut is compared in full: they only look the same. */

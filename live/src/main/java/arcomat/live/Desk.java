@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -114,11 +115,12 @@ public final class Desk {
      * What the page's engine is to place for a picture.
      *
      * @param automaton which of its automata; the component with its parts if negative
+     * @param closed paths of parts that do not show what is inside
      */
-    public String graph(String component, int automaton) {
+    public String graph(String component, int automaton, String[] closed) {
         return ask(
                 lowered -> {
-                    Drawing begun = new Drawing(graph(lowered, component, automaton));
+                    Drawing begun = new Drawing(graph(lowered, component, automaton, closed));
                     drawing = begun;
                     return begun.question();
                 });
@@ -130,10 +132,11 @@ public final class Desk {
         return begun == null ? "" : begun.svg(places);
     }
 
-    private static Graph graph(LoweredModels models, String name, int automaton) throws WrongUse {
+    private static Graph graph(LoweredModels models, String name, int automaton, String[] closed)
+            throws WrongUse {
         Component component = MainComponent.component(name, models);
         return automaton < 0
-                ? ComponentGraph.of(component, DEPTH)
+                ? ComponentGraph.of(component, DEPTH, new HashSet<>(List.of(closed)))
                 : AutomatonGraph.of(component, component.automata().get(automaton));
     }
 

@@ -164,7 +164,7 @@ class LivePageTest extends BrowserTest {
         browser.run(
                 "document.querySelector('#see [data-connector=\"button -> cell3.own\"]')"
                         + ".dispatchEvent(new MouseEvent('mouseover', {bubbles: true}))");
-        assertThat(browser.findAll("#see .lit")).hasSize(12);
+        assertThat(browser.findAll("#see .connector.lit")).hasSize(12);
         assertThat(browser.run(SMALLEST_LETTERS)).isEqualTo(true);
         browser.picture("live-wires-light");
     }

@@ -123,8 +123,8 @@ class SameAnswersTest extends BrowserTest {
         assertThat(page.ask("analyze", MILLISECONDS)).isEqualTo(desk.analyze(MILLISECONDS));
         assertThat(page.ask("contradictions", "coffee.fig6.AvoidCrash", MILLISECONDS))
                 .isEqualTo(desk.contradictions("coffee.fig6.AvoidCrash", MILLISECONDS));
-        assertThat(page.ask("graph", "coffee.fetcher.Fetcher", -1))
-                .isEqualTo(desk.graph("coffee.fetcher.Fetcher", -1));
+        assertThat(page.ask("graph", "coffee.fetcher.Fetcher", -1, List.of()))
+                .isEqualTo(desk.graph("coffee.fetcher.Fetcher", -1, new String[0]));
     }
 
     /**

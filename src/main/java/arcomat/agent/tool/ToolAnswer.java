@@ -53,7 +53,9 @@ public record ToolAnswer(String text, List<String> remarks) {
         return aside.isEmpty()
                 ? List.of()
                 : List.of(
-                        "Left out, with errors in its syntax or in need of a file that has: "
+                        "Left out, with errors"
+                                + (aside.onlyBySyntax() ? " in its syntax" : "")
+                                + " or in need of a file that has: "
                                 + String.join(", ", aside.files())
                                 + ". The tool 'check' has the findings.");
     }

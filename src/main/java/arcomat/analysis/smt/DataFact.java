@@ -5,6 +5,7 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.PartialEvaluation;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /**
  * Something about the messages of a letter that decides what the steps with it are: letters that
@@ -17,11 +18,23 @@ sealed interface DataFact {
     /** Whether it depends on messages that are not known yet. */
     boolean isOpen();
 
+    /**
+     * The same about letters of which something is known.
+     *
+     * @param rest what is left of an expression then
+     */
+    DataFact with(UnaryOperator<Expression> rest);
+
     /** Whether the condition is true. */
     record Holds(Expression when) implements DataFact {
         @Override
         public boolean isOpen() {
             return !isKnown(when);
+        }
+
+        @Override
+        public DataFact with(UnaryOperator<Expression> rest) {
+            return new Holds(rest.apply(when));
         }
     }
 
@@ -31,6 +44,11 @@ sealed interface DataFact {
         public boolean isOpen() {
             return !isFalse(when) && !one.equals(two) && !(isKnown(one) && isKnown(two));
         }
+
+        @Override
+        public DataFact with(UnaryOperator<Expression> rest) {
+            return new Same(rest.apply(when), rest.apply(one), rest.apply(two));
+        }
     }
 
     /** Whether the condition is true, and which value is stored then. */
@@ -38,6 +56,11 @@ sealed interface DataFact {
         @Override
         public boolean isOpen() {
             return !isFalse(when) && !isKnown(value);
+        }
+
+        @Override
+        public DataFact with(UnaryOperator<Expression> rest) {
+            return new Stored(rest.apply(when), rest.apply(value));
         }
     }
 

@@ -9,7 +9,6 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
-import arcomat.semantics.expression.PartialEvaluation;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -171,32 +170,27 @@ public record DataStep(
         return new DataStep(asks, happens, others, remembered);
     }
 
-    /** What decides about some steps together, with a letter of which something is known. */
-    static List<DataFact> facts(List<DataStep> steps, PartialEvaluation letter) {
+    /** What decides about some steps together. */
+    static List<DataFact> facts(List<DataStep> steps) {
         List<DataFact> facts = new ArrayList<>();
         for (int i = 0; i < steps.size(); i++) {
             DataStep step = steps.get(i);
-            step.asks.forEach(ask -> facts.add(new DataFact.Holds(letter.of(ask))));
-            Expression happens = letter.of(step.happens);
-            step.stores.forEach(value -> facts.add(new DataFact.Stored(happens, letter.of(value))));
+            step.asks.forEach(ask -> facts.add(new DataFact.Holds(ask)));
+            step.stores.forEach(value -> facts.add(new DataFact.Stored(step.happens, value)));
             for (DataStep other : steps.subList(i + 1, steps.size())) {
-                addSame(step, other, letter, facts);
+                addSame(step, other, facts);
             }
         }
         return facts;
     }
 
-    private static void addSame(
-            DataStep one, DataStep two, PartialEvaluation letter, List<DataFact> facts) {
+    private static void addSame(DataStep one, DataStep two, List<DataFact> facts) {
+        Expression both = Hazard.and(one.happens, two.happens);
         one.sends.forEach(
                 (port, values) -> {
                     List<Expression> others = two.sends.getOrDefault(port, List.of());
                     for (int i = 0; i < values.size() && values.size() == others.size(); i++) {
-                        facts.add(
-                                new DataFact.Same(
-                                        letter.of(Hazard.and(one.happens, two.happens)),
-                                        letter.of(values.get(i)),
-                                        letter.of(others.get(i))));
+                        facts.add(new DataFact.Same(both, values.get(i), others.get(i)));
                     }
                 });
     }

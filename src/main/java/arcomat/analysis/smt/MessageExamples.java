@@ -86,9 +86,12 @@ public final class MessageExamples {
      */
     public static Source of(List<DataStep> steps, BooleanSupplier stop) {
         Map<List<Object>, Rows> known = new HashMap<>();
+        List<DataFact> all = DataStep.facts(steps);
+        Remainders remainders = new Remainders();
         return (letter, open) -> {
             List<DataFact> facts =
-                    DataStep.facts(steps, letter).stream()
+                    all.stream()
+                            .map(fact -> fact.with(e -> remainders.of(e, letter)))
                             .filter(DataFact::isOpen)
                             .distinct()
                             .toList();

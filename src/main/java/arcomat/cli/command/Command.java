@@ -129,7 +129,10 @@ public abstract class Command implements Callable<Integer> {
             console()
                     .err()
                     .println(
-                            "left out, with errors in its syntax or in need of a file that has: "
+                            (aside.onlyBySyntax()
+                                            ? "left out, with errors in its syntax"
+                                            : "left out, with errors")
+                                    + " or in need of a file that has: "
                                     + Printable.escape(String.join(", ", aside.files())));
         }
     }

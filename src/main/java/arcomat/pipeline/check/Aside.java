@@ -11,11 +11,13 @@ import java.util.TreeSet;
  * What a command goes on without.
  *
  * @param findings about those of the files that have some
- * @param files with errors in their syntax, and those that need them; ordered
+ * @param files with errors, and those that need them; ordered
  * @param words of their texts, and their names
+ * @param onlyBySyntax whether no other errors than those in their syntax keep them out
  */
-public record Aside(List<Diagnostic> findings, List<String> files, Set<String> words) {
-    public static final Aside NOTHING = new Aside(List.of(), List.of(), Set.of());
+public record Aside(
+        List<Diagnostic> findings, List<String> files, Set<String> words, boolean onlyBySyntax) {
+    public static final Aside NOTHING = new Aside(List.of(), List.of(), Set.of(), true);
 
     public Aside {
         findings = List.copyOf(findings);
@@ -23,7 +25,7 @@ public record Aside(List<Diagnostic> findings, List<String> files, Set<String> w
         words = Set.copyOf(words);
     }
 
-    static Aside of(List<SourceFile> sources, List<Diagnostic> findings) {
+    static Aside of(List<SourceFile> sources, List<Diagnostic> findings, boolean onlyBySyntax) {
         Set<String> files = new TreeSet<>();
         Set<String> words = new TreeSet<>();
         for (SourceFile file : sources) {
@@ -31,7 +33,7 @@ public record Aside(List<Diagnostic> findings, List<String> files, Set<String> w
             words.add(WholeFiles.simpleName(file.path()));
             words.addAll(WrittenNames.in(file.text()));
         }
-        return new Aside(findings, List.copyOf(files), words);
+        return new Aside(findings, List.copyOf(files), words, onlyBySyntax);
     }
 
     public boolean isEmpty() {
@@ -47,6 +49,10 @@ public record Aside(List<Diagnostic> findings, List<String> files, Set<String> w
         paths.addAll(other.files);
         Set<String> mentioned = new TreeSet<>(words);
         mentioned.addAll(other.words);
-        return new Aside(List.copyOf(all), List.copyOf(paths), mentioned);
+        return new Aside(
+                List.copyOf(all),
+                List.copyOf(paths),
+                mentioned,
+                onlyBySyntax && other.onlyBySyntax);
     }
 }

@@ -42,7 +42,7 @@ public record CheckedModels(
     /** Checks models for their own sake. */
     public static CheckedModels check(List<String> paths, Profile profile, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session);
-        Workspace workspace = workspace(loaded, session);
+        Workspace workspace = examined(loaded, session);
         return of(loaded, workspace, review(loaded, workspace, profile, session));
     }
 
@@ -69,7 +69,9 @@ public record CheckedModels(
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         CheckedModels all = checkWhole(loaded, executable, session);
-        return all.withoutBroken(session).filter(rest -> asked.isIn(rest.workspace())).orElse(all);
+        return all.without(loaded.broken(), session)
+                .filter(rest -> asked.isIn(rest.workspace()))
+                .orElse(all);
     }
 
     /** As above, for questions about models: no code is made of them. */
@@ -83,14 +85,37 @@ public record CheckedModels(
     }
 
     /**
-     * Without the files that have errors in their syntax and those that need them, if there are.
+     * As {@link #checkToExamine}, for what looks at each component alone: files with any error are
+     * left out where the rest is what is asked, not only those that cannot be read.
      */
-    private Optional<CheckedModels> withoutBroken(Session session) {
-        if (loaded.broken().isEmpty()
+    static CheckedModels checkToShow(List<String> paths, Asked asked, Session session) {
+        CheckedModels all =
+                checkWhole(ModelLoader.load(paths, session), (models, files) -> List.of(), session);
+        return all.without(all.filesWithErrors(), session)
+                .filter(rest -> rest.hasNamed() && asked.isIn(rest.workspace()))
+                .orElse(all);
+    }
+
+    /** Whether something is left of what the user named. */
+    private boolean hasNamed() {
+        return loaded.units().stream().anyMatch(unit -> loaded.isNamedByUser(unit.file().path()));
+    }
+
+    private Set<String> filesWithErrors() {
+        Set<String> files = new TreeSet<>(loaded.broken());
+        findings.stream()
+                .filter(Diagnostic::isError)
+                .forEach(each -> files.add(each.span().file().path()));
+        return files;
+    }
+
+    /** Without some files and those that need them, if there are. */
+    private Optional<CheckedModels> without(Set<String> wrong, Session session) {
+        if (wrong.isEmpty()
                 || loaded.findings().stream().anyMatch(FileFindings::isUnreadableInput)) {
             return Optional.empty();
         }
-        Set<String> whole = WholeFiles.in(loaded);
+        Set<String> whole = WholeFiles.in(loaded, wrong);
         LoadedModels rest = loaded.only(whole);
         List<SourceFile> others =
                 loaded.sources().stream().filter(file -> !whole.contains(file.path())).toList();
@@ -102,14 +127,17 @@ public record CheckedModels(
                         workspace(rest, session),
                         findings.stream().filter(isAside.negate()).toList(),
                         suppressed.stream().filter(each -> !isAside.test(each.finding())).toList(),
-                        Aside.of(others, findings.stream().filter(isAside).toList())));
+                        Aside.of(
+                                others,
+                                findings.stream().filter(isAside).toList(),
+                                wrong.equals(loaded.broken()))));
     }
 
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
         LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
         CheckedModels all = checkWhole(loaded, (models, files) -> List.of(), session);
-        return all.withoutBroken(session).orElse(all);
+        return all.without(loaded.broken(), session).orElse(all);
     }
 
     private static CheckedModels checkWhole(

@@ -14,18 +14,28 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Tells files that need none with an error in its syntax. A file may need another one if the name
- * of what that one defines is a word of its text: nothing can be referred to without it.
+ * Tells files that need none of those that something is wrong with. A file may need another one if
+ * the name of what that one defines is a word of its text: nothing can be referred to without it.
  */
 final class WholeFiles {
     private WholeFiles() {}
 
-    /** The paths of the files that are whole, with all that they need. */
-    static Set<String> in(LoadedModels loaded) {
+    /**
+     * The paths of the files that are whole, with all that they need.
+     *
+     * @param wrong paths of those that are not; files that do not parse are among them
+     */
+    static Set<String> in(LoadedModels loaded, Set<String> wrong) {
         Map<Unit, Set<String>> open = new HashMap<>();
-        loaded.units().forEach(unit -> open.put(unit, WrittenNames.in(unit.file().text())));
         Deque<String> missing = new ArrayDeque<>();
-        loaded.broken().forEach(path -> missing.add(simpleName(path)));
+        for (Unit unit : loaded.units()) {
+            if (wrong.contains(unit.file().path())) {
+                name(unit).ifPresent(missing::add);
+            } else {
+                open.put(unit, WrittenNames.in(unit.file().text()));
+            }
+        }
+        wrong.forEach(path -> missing.add(simpleName(path)));
         loaded.recovered().forEach(each -> name(each.unit()).ifPresent(missing::add));
         while (!missing.isEmpty()) {
             String name = missing.remove();

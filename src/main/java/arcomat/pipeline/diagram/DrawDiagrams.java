@@ -2,7 +2,6 @@ package arcomat.pipeline.diagram;
 
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.refinement.Promise;
-import arcomat.diagram.GalleryPage;
 import arcomat.diagram.Graph;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -15,9 +14,11 @@ import arcomat.pipeline.check.ModelQuestion;
 import arcomat.pipeline.file.OutputFolder;
 import arcomat.pipeline.picture.PictureFormat;
 import arcomat.pipeline.picture.SourceLinks;
+import arcomat.report.page.GalleryPage;
 import arcomat.source.Span;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,7 +45,12 @@ public record DrawDiagrams(
         implements ModelQuestion<List<String>> {
     @Override
     public Asked asked() {
-        return Asked.components(components);
+        return components.isEmpty() ? Asked.WHAT_IS_WHOLE : Asked.components(components);
+    }
+
+    @Override
+    public boolean goesOnWithoutErrors() {
+        return true;
     }
 
     /**
@@ -62,12 +68,16 @@ public record DrawDiagrams(
         session.progress().step("drawing", graphs.size(), "picture");
         Function<Span, Optional<String>> links = new SourceLinks(session.names(), out)::of;
         Map<String, byte[]> files = new LinkedHashMap<>();
+        List<GalleryPage.Entry> shown = new ArrayList<>();
         for (Map.Entry<String, Graph> each : graphs.entrySet()) {
-            files.put(each.getKey() + "." + format, format.content(each.getValue(), links));
+            String file = each.getKey() + "." + format;
+            PictureFormat.Written written = format.written(each.getValue(), links);
+            files.put(file, written.file());
+            shown.add(new GalleryPage.Entry(file, written.embedded()));
         }
         if (format != PictureFormat.dot) {
             String title = "Pictures of " + String.join(", ", paths);
-            String gallery = GalleryPage.render(title, List.copyOf(files.keySet()));
+            String gallery = GalleryPage.render(title, shown);
             files.put("index.html", gallery.getBytes(StandardCharsets.UTF_8));
         }
         OutputFolder.replace(session.names().resolve(out), out, files);

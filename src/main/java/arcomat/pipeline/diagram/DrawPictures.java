@@ -26,7 +26,12 @@ public record DrawPictures(List<String> components, int depth, List<String> path
         implements ModelQuestion<Map<String, String>> {
     @Override
     public Asked asked() {
-        return Asked.components(components);
+        return components.isEmpty() ? Asked.WHAT_IS_WHOLE : Asked.components(components);
+    }
+
+    @Override
+    public boolean goesOnWithoutErrors() {
+        return true;
     }
 
     /**

@@ -103,7 +103,7 @@ final class Drawings {
             Highlights highlights = FindingHighlights.of(automaton, examinations);
             add(
                     sole ? name : name + "-" + own,
-                    AutomatonGraph.of(component.title(automaton), automaton, highlights));
+                    AutomatonGraph.of(component, automaton, highlights));
         }
     }
 

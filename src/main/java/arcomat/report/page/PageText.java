@@ -20,6 +20,11 @@ public final class PageText {
                     "rows.js",
                     "timeline.js",
                     "moment.js",
+                    "picture/wires.js",
+                    "picture/folds.js",
+                    "picture/finder.js",
+                    "picture/legend.js",
+                    "picture/viewer.js",
                     "carried.js",
                     "pictures.js",
                     "remarks.js",
@@ -29,7 +34,13 @@ public final class PageText {
                     "stories.js");
 
     private static final List<String> STYLES =
-            List.of("colours.css", "page.css", "timeline.css", "moment.css", "paper.css");
+            List.of(
+                    "colours.css",
+                    "page.css",
+                    "timeline.css",
+                    "moment.css",
+                    "picture/viewer.css",
+                    "paper.css");
 
     private PageText() {}
 

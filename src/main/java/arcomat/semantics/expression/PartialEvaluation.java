@@ -36,6 +36,12 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
         return expression.rewritten(each -> each.match(this));
     }
 
+    /** All that it knows of a port: its message, else whether there is one. */
+    public Object knowledge(String port) {
+        Value message = known.get(port);
+        return message == null ? open.contains(port) : message;
+    }
+
     /** The value of an expression of which nothing is left; empty where it has none. */
     public static Optional<Value> value(Expression left) {
         return left instanceof Expression.Constant constant

@@ -170,8 +170,11 @@ class CommandPagesBrowserTest extends BrowserTest {
 
     private void photograph(String name) {
         browser.picture(name + "-light");
+        assertThat(Contrast.faintTexts(browser)).isEmpty();
         browser.wear("dark");
         browser.picture(name + "-dark");
+        assertThat(Contrast.faintTexts(browser)).isEmpty();
+        browser.wear("light");
     }
 
     private void arcomat(int status, String... words) {

@@ -67,8 +67,8 @@ public final class Core {
     }
 
     @JSExport
-    public String graph(String component, int automaton) {
-        return desk.graph(component, automaton);
+    public String graph(String component, int automaton, String[] closed) {
+        return desk.graph(component, automaton, closed);
     }
 
     @JSExport

@@ -49,6 +49,15 @@ public final class PagePacker {
                     "replay/player",
                     "replay/stage");
 
+    /** Windows of pictures, as on pages of reports. */
+    private static final List<String> PICTURES =
+            List.of(
+                    "picture/wires",
+                    "picture/folds",
+                    "picture/finder",
+                    "picture/legend",
+                    "picture/viewer");
+
     /** Libraries that ask for each other by name; in their jars, by the ends of their paths. */
     private static final Map<String, String> LIBRARIES = libraries();
 
@@ -86,6 +95,7 @@ public final class PagePacker {
             styles.append(Files.readString(sheet));
         }
         Path report = Path.of(args[4]);
+        styles.append(Files.readString(report.resolve("picture/viewer.css")));
         styles.append(Files.readString(report.resolve("replay/floor.css")));
         // Its rules are for a page of its own; here they hold in one view.
         styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
@@ -98,7 +108,8 @@ public final class PagePacker {
         scripts.add("<script id=\"models\" type=\"application/json\">" + example + "</script>");
         scripts.add(kept("licence", read(jars, "codemirror__view", "LICENSE")));
         scripts.add(script("", bundle(jars)));
-        scripts.add(script("", replay(report)));
+        scripts.add(script("", shared("replay", REPLAY, "{ Recording, Stage }", report)));
+        scripts.add(script("", shared("PictureViewer", PICTURES, "PictureViewer", report)));
         scripts.add(script(" type=\"module\"", modules(sources)));
         String page =
                 Files.readString(sources.resolve("page.html"))
@@ -129,13 +140,14 @@ public final class PagePacker {
         return all.toString();
     }
 
-    /** Scripts that know each other by name, and of which the page needs two. */
-    private static String replay(Path report) throws IOException {
-        StringBuilder all = new StringBuilder("const replay = (() => {\n");
-        for (String name : REPLAY) {
-            all.append(Files.readString(report.resolve(name + ".js")));
+    /** Scripts that know each other by name, and of which the page needs a part, under a name. */
+    private static String shared(String name, List<String> files, String part, Path report)
+            throws IOException {
+        StringBuilder all = new StringBuilder("const " + name + " = (() => {\n");
+        for (String file : files) {
+            all.append(Files.readString(report.resolve(file + ".js")));
         }
-        return all.append("return { Recording, Stage };\n})();\n").toString();
+        return all.append("return " + part + ";\n})();\n").toString();
     }
 
     /** Libraries as functions that are called where somebody first asks for them. */

@@ -1,6 +1,7 @@
 package arcomat.cli.command.model;
 
 import arcomat.cli.command.LimitedCommand;
+import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
@@ -30,6 +31,8 @@ import java.util.Optional;
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
             "write. Each picture is a file by the name of what it shows; index.html shows them"
                     + " all.",
+            "",
+            "Files with errors, and those that need them, are left out.",
             "",
             "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
                     + " read."
@@ -94,7 +97,9 @@ public final class DiagramCommand extends LimitedCommand {
         }
         CheckedAnswer<List<String>> drawn =
                 session.run(new DrawDiagrams(components, format, out, depth, sought(), paths));
-        return tellWritten(drawn, List::size, out);
+        int status = tellWritten(drawn, List::size, out);
+        boolean partly = components.isEmpty() && !drawn.check().aside().isEmpty();
+        return partly ? Math.max(status, ExitStatus.FINDINGS) : status;
     }
 
     private Optional<AnalysisLimits> sought() throws WrongUse {
