@@ -73,22 +73,22 @@ record UnreadVariables(Component component, List<int[]> kept, List<String> unrea
             transition.matches().forEach(m -> removeRead(m.pattern().values(), unread));
             transition.sends().forEach(send -> removeRead(send.emission().values(), unread));
         }
-        while (removeNeeded(automaton, unread)) {
-            continue;
-        }
+        int before;
+        do {
+            before = unread.size();
+            removeNeeded(automaton, unread);
+        } while (unread.size() < before);
         return unread;
     }
 
-    /** Whether there was one that another one needs, or that has to be computed. */
-    private static boolean removeNeeded(Automaton automaton, Set<String> unread) {
-        int before = unread.size();
+    /** Those that another one needs, or that have to be computed. */
+    private static void removeNeeded(Automaton automaton, Set<String> unread) {
         for (Automaton.Initial initial : automaton.initials()) {
             initial.assignments().forEach(each -> removeNeeded(each, unread));
         }
         for (Automaton.Transition transition : automaton.transitions()) {
             transition.assignments().forEach(each -> removeNeeded(each, unread));
         }
-        return unread.size() < before;
     }
 
     private static void removeNeeded(Assignment assignment, Set<String> unread) {
