@@ -41,6 +41,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Finds a place for everything, by the layered method of the Eclipse Layout Kernel: ports on the
@@ -151,10 +152,20 @@ public final class LayeredLayout {
         Picture best = plain;
         for (Method method : Method.DENSE) {
             for (Direction direction : List.of(Direction.RIGHT, Direction.DOWN)) {
-                best = SCREEN.better(best, of(graph, direction, method));
+                Picture other = tried(graph, direction, method).orElse(best);
+                best = SCREEN.better(best, other);
             }
         }
         return best;
+    }
+
+    /** The kernel's compaction moves lines into labels now and then, and fails at some graphs. */
+    private static Optional<Picture> tried(Graph graph, Direction direction, Method method) {
+        try {
+            return Optional.of(of(graph, direction, method)).filter(ClearTexts::in);
+        } catch (IllegalStateException compaction) {
+            return Optional.empty();
+        }
     }
 
     /** What pictures are to fit, in pixels. */

@@ -106,7 +106,7 @@ final class AutomatonLowering {
             List<Expression> conditions,
             List<Automaton.Send> sends,
             List<Automaton.Assignment> assignments) {
-        Demand demand = demand(transition);
+        TransitionCondition demand = demand(transition);
         List<Automaton.Match> matches = demand.matches();
         List<Expression> guards = new ArrayList<>(demand.guards());
         guards.addAll(turns.denials(transition.node(), demand));
@@ -122,8 +122,8 @@ final class AutomatonLowering {
                 transition.node().span());
     }
 
-    private Demand demand(TransitionSymbol transition) {
-        Demand demand = new Demand();
+    private TransitionCondition demand(TransitionSymbol transition) {
+        TransitionCondition demand = new TransitionCondition();
         transition.guard().ifPresent(g -> demand.add(expressions.lower(g.expression())));
         for (ItemSymbol item : transition.input()) {
             ValueSymbol target = target(item);

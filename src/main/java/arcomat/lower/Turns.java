@@ -11,12 +11,12 @@ import java.util.List;
  * what the earlier ones ask for, save those that can never be satisfied together with it.
  */
 final class Turns {
-    private record Turn(AutomatonElement.Transition transition, Demand demand) {}
+    private record Turn(AutomatonElement.Transition transition, TransitionCondition demand) {}
 
     private final List<Turn> earlier = new ArrayList<>();
 
     /** What has to be true of one besides what it asks for. Each is to be shown once. */
-    List<Expression> denials(AutomatonElement.Transition transition, Demand demand) {
+    List<Expression> denials(AutomatonElement.Transition transition, TransitionCondition demand) {
         List<Expression> denials = new ArrayList<>();
         for (Turn each : earlier) {
             if (precedes(each.transition(), transition) && demand.canMeet(each.demand())) {

@@ -19,7 +19,7 @@ record RowMeaning(Written table, Meaning meaning) {
     /**
      * @param row with a cell for each column
      */
-    void write(TableText.Row row, List<Column> inputs, List<Column> outputs) {
+    void write(WrittenTable.Row row, List<TableColumn> inputs, List<TableColumn> outputs) {
         Span place = table.part(row.start(), row.end());
         meaning.write(place, "table -> table");
         block(place, " {", inputs, " == ", row.inputs(), this::isAsked);
@@ -35,7 +35,7 @@ record RowMeaning(Written table, Meaning meaning) {
     private void block(
             Span place,
             String open,
-            List<Column> columns,
+            List<TableColumn> columns,
             String relation,
             List<Part> cells,
             Predicate<Part> isItem) {

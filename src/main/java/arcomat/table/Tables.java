@@ -26,19 +26,19 @@ public final class Tables implements SituatedLanguage {
 
     @Override
     public List<String> codes() {
-        return List.of(Columns.CODE, WIDTH, RowMeaning.CODE);
+        return List.of(TableColumns.CODE, WIDTH, RowMeaning.CODE);
     }
 
     @Override
     public void translate(Written table, Vicinity around, Meaning meaning) {
-        TableText text = TableText.of(table.body().text());
-        Columns columns = new Columns(table, around);
-        List<Column> inputs = columns.of(text.inputs(), Vicinity.Kind.INPUT, meaning);
-        List<Column> outputs = columns.of(text.outputs(), Vicinity.Kind.OUTPUT, meaning);
+        WrittenTable text = WrittenTable.of(table.body().text());
+        TableColumns columns = new TableColumns(table, around);
+        List<TableColumn> inputs = columns.of(text.inputs(), Vicinity.Kind.INPUT, meaning);
+        List<TableColumn> outputs = columns.of(text.outputs(), Vicinity.Kind.OUTPUT, meaning);
         meaning.stands().tell(TYPE_OF_ITEM, RowMeaning.CODE);
         meaning.write(table.whole(), "state table; initial table;");
         for (int i = 0; i < text.rows().size(); i++) {
-            TableText.Row row = text.rows().get(i);
+            WrittenTable.Row row = text.rows().get(i);
             Span place = table.part(row.start(), row.end());
             if (hasWidth(row, place, inputs, outputs, meaning)) {
                 meaning.element(place).turn(i);
@@ -48,10 +48,10 @@ public final class Tables implements SituatedLanguage {
     }
 
     private static boolean hasWidth(
-            TableText.Row row,
+            WrittenTable.Row row,
             Span place,
-            List<Column> inputs,
-            List<Column> outputs,
+            List<TableColumn> inputs,
+            List<TableColumn> outputs,
             Meaning meaning) {
         List<String> wrong = new ArrayList<>();
         compare("input", inputs.size(), row.inputs().size(), wrong);

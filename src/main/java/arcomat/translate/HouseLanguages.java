@@ -16,9 +16,9 @@ import java.util.Optional;
 public final class HouseLanguages implements BehaviourReader {
     private static final List<SituatedLanguage> ALL = List.of(new Tables());
 
-    private final Translation.Parsing parsing;
+    private final LanguageTranslation.Parsing parsing;
 
-    private HouseLanguages(Translation.Parsing parsing) {
+    private HouseLanguages(LanguageTranslation.Parsing parsing) {
         this.parsing = parsing;
     }
 
@@ -49,8 +49,9 @@ public final class HouseLanguages implements BehaviourReader {
 
     private Reading read(Behaviour.Foreign behaviour, SituatedLanguage language, Signature around) {
         Meaning meaning = new Meaning();
-        language.translate(Translation.written(behaviour), VicinityView.of(around), meaning);
-        Translation translation = Translation.of(behaviour, meaning);
+        language.translate(
+                LanguageTranslation.written(behaviour), VicinityView.of(around), meaning);
+        LanguageTranslation translation = LanguageTranslation.of(behaviour, meaning);
         List<Problem> problems = meaning.problems().stream().map(HouseLanguages::told).toList();
         return translation
                 .reading(parsing, problems)
@@ -67,7 +68,7 @@ public final class HouseLanguages implements BehaviourReader {
                 each.fix());
     }
 
-    private static String mistake(Translation translation) {
+    private static String mistake(LanguageTranslation translation) {
         Diagnostic first = Parser.parseHere(translation.text().file()).findings().get(0);
         return first.message() + " in " + translation.text().file().text();
     }

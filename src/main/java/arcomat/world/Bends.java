@@ -1,5 +1,9 @@
 package arcomat.world;
 
+import arcomat.world.arithmetic.Arc;
+import arcomat.world.arithmetic.Circle;
+import arcomat.world.arithmetic.Tangent;
+
 import java.util.ArrayList;
 import java.util.List;
 

@@ -4,6 +4,7 @@ import arcomat.world.Kind.Described;
 import arcomat.world.Kind.Program;
 import arcomat.world.Kind.Wheels;
 import arcomat.world.Words.Unreadable;
+import arcomat.world.arithmetic.Circle;
 
 import org.jspecify.annotations.Nullable;
 

@@ -6,6 +6,8 @@ import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
 import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
+import arcomat.world.arithmetic.Arc;
+import arcomat.world.arithmetic.Circle;
 
 import java.util.ArrayList;
 import java.util.List;

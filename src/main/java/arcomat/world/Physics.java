@@ -9,6 +9,8 @@ import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
+import arcomat.world.arithmetic.Circle;
+import arcomat.world.arithmetic.Decay;
 
 import java.util.ArrayList;
 import java.util.Arrays;

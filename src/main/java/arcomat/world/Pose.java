@@ -1,5 +1,7 @@
 package arcomat.world;
 
+import arcomat.world.arithmetic.Circle;
+
 /**
  * Where a robot stands and looks.
  *

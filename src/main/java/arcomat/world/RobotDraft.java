@@ -3,6 +3,7 @@ package arcomat.world;
 import arcomat.world.Words.Unreadable;
 import arcomat.world.World.Cup;
 import arcomat.world.World.Robot;
+import arcomat.world.arithmetic.Circle;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,7 @@
 package arcomat.world;
 
 import arcomat.world.Scene.RobotState;
+import arcomat.world.arithmetic.Circle;
 
 import java.util.stream.IntStream;
 

@@ -28,12 +28,13 @@ public final class SatSolver {
     private int variables;
     private byte[] values = new byte[128];
     private int[] levels = new int[64];
-    private @Nullable Clause[] reasons = new Clause[64];
+    private @Nullable WatchedClause[] reasons = new WatchedClause[64];
     private boolean[] phases = new boolean[64];
     private boolean[] seen = new boolean[64];
     private final VariableOrder order = new VariableOrder();
-    private final List<List<Clause>> watches = new ArrayList<>(List.of(List.of(), List.of()));
-    private final List<Clause> learnt = new ArrayList<>();
+    private final List<List<WatchedClause>> watches =
+            new ArrayList<>(List.of(List.of(), List.of()));
+    private final List<WatchedClause> learnt = new ArrayList<>();
     private final IntArrayList trail = new IntArrayList();
     private final IntArrayList limits = new IntArrayList();
     private final Consumer<int[]> proof;
@@ -93,7 +94,7 @@ public final class SatSolver {
                 contradict();
             }
         } else {
-            watch(new Clause(own.toArray(), false));
+            watch(new WatchedClause(own.toArray(), false));
         }
     }
 
@@ -112,7 +113,7 @@ public final class SatSolver {
         return (own & 1) == 0 ? own >> 1 : -(own >> 1);
     }
 
-    private void watch(Clause clause) {
+    private void watch(WatchedClause clause) {
         watches.get(clause.literals[0] ^ 1).add(clause);
         watches.get(clause.literals[1] ^ 1).add(clause);
     }
@@ -139,7 +140,7 @@ public final class SatSolver {
         int conflicts = 0;
         int restarts = 0;
         while (!contradictory) {
-            Clause conflict = propagate();
+            WatchedClause conflict = propagate();
             if (conflict != null && limits.isEmpty()) {
                 contradict();
             } else if (conflict != null) {
@@ -212,7 +213,7 @@ public final class SatSolver {
         }
     }
 
-    private void assign(int literal, @Nullable Clause reason) {
+    private void assign(int literal, @Nullable WatchedClause reason) {
         int variable = literal >> 1;
         values[literal] = TRUE;
         values[literal ^ 1] = FALSE;
@@ -240,11 +241,11 @@ public final class SatSolver {
     }
 
     /** The clause that cannot be true any more; null where all can. */
-    private @Nullable Clause propagate() {
+    private @Nullable WatchedClause propagate() {
         while (propagated < trail.size()) {
             int literal = trail.get(propagated++);
             work++;
-            Clause conflict = visit(literal, watches.get(literal));
+            WatchedClause conflict = visit(literal, watches.get(literal));
             if (conflict != null) {
                 return conflict;
             }
@@ -253,12 +254,12 @@ public final class SatSolver {
     }
 
     /** Clauses of which a watched literal has become false watch another one, or follow. */
-    private @Nullable Clause visit(int literal, List<Clause> watching) {
+    private @Nullable WatchedClause visit(int literal, List<WatchedClause> watching) {
         int kept = 0;
-        Clause conflict = null;
+        WatchedClause conflict = null;
         int i = 0;
         while (i < watching.size() && conflict == null) {
-            Clause clause = watching.get(i++);
+            WatchedClause clause = watching.get(i++);
             if (clause.removed) {
                 continue;
             }
@@ -283,7 +284,7 @@ public final class SatSolver {
         return conflict;
     }
 
-    private boolean watchesAnother(Clause clause) {
+    private boolean watchesAnother(WatchedClause clause) {
         int[] literals = clause.literals;
         for (int i = 2; i < literals.length; i++) {
             if (values[literals[i]] != FALSE) {
@@ -296,12 +297,12 @@ public final class SatSolver {
     }
 
     /** Adds what a conflict shows: the first point at which all its reasons meet. */
-    private void learn(Clause conflict) {
+    private void learn(WatchedClause conflict) {
         IntArrayList clause = new IntArrayList();
         clause.add(0);
         int open = 0;
         int position = trail.size() - 1;
-        Clause reason = conflict;
+        WatchedClause reason = conflict;
         int met = -1;
         do {
             bump(reason);
@@ -347,7 +348,7 @@ public final class SatSolver {
     }
 
     private boolean isImplied(int literal) {
-        Clause reason = reasons[literal >> 1];
+        WatchedClause reason = reasons[literal >> 1];
         if (reason == null) {
             return false;
         }
@@ -376,7 +377,7 @@ public final class SatSolver {
         if (literals.length == 1) {
             assign(literals[0], null);
         } else {
-            Clause clause = new Clause(literals, true);
+            WatchedClause clause = new WatchedClause(literals, true);
             learnt.add(clause);
             watch(clause);
             bump(clause);
@@ -386,7 +387,7 @@ public final class SatSolver {
         clauseStep *= CLAUSE_DECAY;
     }
 
-    private void bump(Clause clause) {
+    private void bump(WatchedClause clause) {
         if (!clause.learnt) {
             return;
         }
@@ -405,7 +406,7 @@ public final class SatSolver {
             return;
         }
         learnt.sort(Comparator.comparingDouble(each -> -each.activity));
-        List<Clause> rest = learnt.subList(learnt.size() / 2, learnt.size());
+        List<WatchedClause> rest = learnt.subList(learnt.size() / 2, learnt.size());
         rest.forEach(each -> each.removed = each.literals.length > 2);
         rest.removeIf(each -> each.removed);
         mostLearnt += mostLearnt / 10;
@@ -422,7 +423,7 @@ public final class SatSolver {
                 continue;
             }
             seen[variable] = false;
-            Clause reason = reasons[variable];
+            WatchedClause reason = reasons[variable];
             if (levels[variable] == 0) {
                 continue;
             }

@@ -40,7 +40,7 @@ public final class Connections {
     public static boolean areUnclear(ComponentSymbol component) {
         if (component.lacksAncestor()
                 || lacksPart(component)
-                || !MeantParts.in(component).isEmpty()) {
+                || MeantParts.mayBeIn(component)) {
             return true;
         }
         return component.connectors().stream()

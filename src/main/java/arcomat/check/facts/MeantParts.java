@@ -15,6 +15,12 @@ public final class MeantParts {
                 .toList();
     }
 
+    /** Whether there is one, or what may be one, since its type may be in a file with errors. */
+    public static boolean mayBeIn(ComponentSymbol component) {
+        return component.node().elements(Element.Variables.class).stream()
+                .anyMatch(each -> mayBePart(each, component));
+    }
+
     /**
      * Whether something with this name was meant to be a part, or may have been: its type may be
      * defined in a file with errors.

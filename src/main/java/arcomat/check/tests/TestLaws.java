@@ -15,7 +15,7 @@ public final class TestLaws {
             List.of(
                     error("ARC0707", new EventsForUntimedOnly()).needing(ALL),
                     error("ARC0705", new TestArguments()),
-                    warning("ARC0708", new TestFieldUnsupported()),
+                    warning("ARC0708", new TestFieldUnsupported()).needing(NAMES),
                     error("ARC0703", new TestMessageType()),
                     error("ARC0704", new TestNamesUnique()),
                     error("ARC0702", new TestPortExists()).needing(NAMES),

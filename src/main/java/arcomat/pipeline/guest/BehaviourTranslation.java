@@ -9,8 +9,8 @@ import arcomat.source.Span;
 import arcomat.symbols.signatures.BehaviourReader.Problem;
 import arcomat.symbols.signatures.BehaviourReader.Reading;
 import arcomat.syntax.Parser;
+import arcomat.translate.LanguageTranslation;
 import arcomat.translate.TranslatedText;
-import arcomat.translate.Translation;
 import arcomat.tree.Behaviour;
 
 import java.time.Duration;
@@ -47,7 +47,7 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
      */
     Reading ask(Question question, boolean mayWait) {
         Meaning meaning = new Meaning();
-        Written written = Translation.written(behaviour);
+        Written written = LanguageTranslation.written(behaviour);
         try {
             new GuestThread(language.guest(), LIMIT)
                     .call(Executors.callable(() -> question.put(written, meaning)));
@@ -70,7 +70,7 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
         }
         return mayWait && meaning.pieces().isEmpty()
                 ? Reading.of(problems)
-                : automaton(Translation.of(behaviour, meaning), problems);
+                : automaton(LanguageTranslation.of(behaviour, meaning), problems);
     }
 
     private Problem told(Meaning.Problem problem) {
@@ -82,7 +82,7 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
                 problem.fix());
     }
 
-    private Reading automaton(Translation translation, List<Problem> problems) {
+    private Reading automaton(LanguageTranslation translation, List<Problem> problems) {
         return translation
                 .reading(Parser::parse, problems)
                 .orElseGet(() -> unreadable(translation.text()));

@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 final class PartTracks {
     private final Trace trace;
     private final boolean told;
-    private final Wires wires;
+    private final WireSources wires;
 
     /** By their paths, as declared, each before its own parts; platform components are outside. */
     private final Map<String, Component> parts = new LinkedHashMap<>();
@@ -30,7 +30,7 @@ final class PartTracks {
     PartTracks(Trace trace) {
         this.trace = trace;
         told = trace.steps().stream().anyMatch(step -> !step.between().isSilent());
-        wires = new Wires(trace.component());
+        wires = new WireSources(trace.component());
         learn(trace.component(), "");
     }
 

@@ -78,7 +78,8 @@ record SuiteFields(TestSuite suite, ValueScope scope) {
                         value ->
                                 isLiteral(value)
                                         || isConstant(value, type)
-                                        || isMessage(value, type))
+                                        || isMessage(value, type)
+                                        || type.isExcused() && isNamed(value))
                 .isPresent();
     }
 
@@ -88,6 +89,12 @@ record SuiteFields(TestSuite suite, ValueScope scope) {
                 && call.target().isEmpty()
                 && type.found().filter(each -> call.name().text().equals(each.text())).isPresent()
                 && call.arguments().stream().allMatch(SuiteFields::isLiteral);
+    }
+
+    /** What it is, only a file with errors tells. */
+    private static boolean isNamed(Expression value) {
+        return value instanceof Expression.Reference
+                || value instanceof Expression.Call call && call.target().isEmpty();
     }
 
     private static boolean isLiteral(Expression value) {

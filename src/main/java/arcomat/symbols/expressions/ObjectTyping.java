@@ -5,6 +5,7 @@ import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.JavaType;
 import arcomat.symbols.names.OpaqueSymbol;
+import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
 import arcomat.symbols.names.UnknownType;
@@ -67,7 +68,14 @@ final class ObjectTyping {
 
     /** The object that a call constructs; empty for the call of a method. */
     Optional<TypedExpression> type(Expression.Call call, TypeSymbol expected) {
-        Optional<TypeSymbol> type = constructed(call, expected);
+        Resolution<TypeSymbol> named = named(call);
+        if (named.isExcused()) {
+            return Optional.of(new TypedExpression.Erroneous(call, List.of()));
+        }
+        Optional<TypeSymbol> type =
+                named.found()
+                        .filter(TypeSymbol::isObject)
+                        .map(each -> isOf(expected, each) ? expected : each);
         if (type.isEmpty() && call.target().isEmpty()) {
             return Optional.of(
                     problems.erroneous(
@@ -80,20 +88,16 @@ final class ObjectTyping {
     }
 
     /** The class or opaque type that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
-    private Optional<TypeSymbol> constructed(Expression.Call call, TypeSymbol expected) {
+    private Resolution<TypeSymbol> named(Expression.Call call) {
         List<Name> parts = new ArrayList<>();
         if (call.target().isPresent()) {
             if (!(call.target().get() instanceof Expression.Reference target)) {
-                return Optional.empty();
+                return Resolution.unknown();
             }
             parts.addAll(target.name().parts());
         }
         parts.add(call.name());
-        return unitScope
-                .type(new QualifiedName(call.span(), List.copyOf(parts)))
-                .found()
-                .filter(TypeSymbol::isObject)
-                .map(type -> isOf(expected, type) ? expected : type);
+        return unitScope.type(new QualifiedName(call.span(), List.copyOf(parts)));
     }
 
     /** {@code List("a")} is a message where some {@code List<String>} is expected. */

@@ -72,9 +72,13 @@ public final class UnitScope {
             return Resolution.of(java);
         }
         Resolution<TypeSymbol> defined = lookUp(name, index::typesOfPackage).map(type -> type);
-        return defined.isUnknown()
-                ? Resolution.of(javaOfOlderTools(name).map(JavaTypes::named))
-                : defined;
+        if (!defined.isUnknown()) {
+            return defined;
+        }
+        boolean mayBeOwn = index.isExcusedType(Names.join(unit.packageText(), name.text()));
+        return mayBeOwn
+                ? Resolution.excused()
+                : Resolution.of(javaOfOlderTools(name).map(JavaTypes::named));
     }
 
     /**

@@ -17,7 +17,7 @@ public final class BehaviourPresent implements Check.OnComponent {
                         || !component.automata().isEmpty();
         boolean isExcused =
                 component.lacksAncestor()
-                        || !MeantParts.in(component).isEmpty()
+                        || MeantParts.mayBeIn(component)
                         || !component.node().elements(Element.JavaPart.class).isEmpty()
                         || !component.node().elements(Behaviour.Foreign.class).isEmpty();
         if (!hasBehaviour && !isExcused) {

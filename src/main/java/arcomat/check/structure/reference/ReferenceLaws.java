@@ -17,7 +17,7 @@ public final class ReferenceLaws {
                     error("ARC0121", new ImportResolves()),
                     warning("ARC0122", new ImportUnique()),
                     warning("ARC0123", new ImportUsed()).needing(ALL),
-                    warning("ARC0147", new JavaTypeImported()),
+                    warning("ARC0147", new JavaTypeImported()).needing(NAMES),
                     error("ARC0115", new TypeArgumentsComplete()),
                     error("ARC0116", new TypeArgumentsInBounds()),
                     error("ARC0120", new TypeExists()).needing(NAMES));

@@ -1,10 +1,10 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 /**
  * The angle of a direction, to the last bit that of {@link StrictMath}; see {@link Circle} for the
  * reason and for where it is from. A quotient is brought near one of four whose angle is known.
  */
-final class Arc {
+public final class Arc {
     private static final double PI_ERROR = 1.2246467991473531772e-16;
     private static final double TINY = 0x1p-29;
     private static final double NEAR = 0.4375;
@@ -40,7 +40,7 @@ final class Arc {
     private Arc() {}
 
     /** From -pi to pi; 0 along x. Places on a floor are neither infinite nor next to nothing. */
-    static double atan2(double y, double x) {
+    public static double atan2(double y, double x) {
         if (y == 0 || x == 0) {
             return StrictMath.atan2(y, x); // exact, and no matter of the last bit
         }

@@ -8,4 +8,4 @@ import arcomat.source.Span;
  * @param isPort whether the component has such a port, of the side on which the column stands; what
  *     stands below one that is none is not looked at
  */
-record Column(Span place, boolean isPort) {}
+record TableColumn(Span place, boolean isPort) {}

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** What a transition asks for, by its guard and its input block, in the order of the text. */
-final class Demand {
+final class TransitionCondition {
     private final List<Automaton.Match> matches = new ArrayList<>();
     private final List<Expression> guards = new ArrayList<>();
     private final List<InputCondition> inputs = new ArrayList<>();
@@ -36,7 +36,7 @@ final class Demand {
     }
 
     /** Whether one letter may satisfy both, as far as constants tell. */
-    boolean canMeet(Demand other) {
+    boolean canMeet(TransitionCondition other) {
         return inputs.stream().noneMatch(c -> other.inputs.stream().anyMatch(c::excludes));
     }
 

@@ -1,4 +1,4 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -12,10 +12,10 @@ import java.util.Map;
  * Who sends what a port carries. Ports are named by their paths from the whole, {@code mind.speed};
  * those of a composite are the same port seen from outside and from inside.
  */
-final class Wires {
+final class WireSources {
     private final Map<String, String> sources = new HashMap<>();
 
-    Wires(Component whole) {
+    WireSources(Component whole) {
         learn(whole, "");
     }
 

@@ -1,10 +1,10 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 /**
  * The exponential function below 0, to the last bit that of {@link StrictMath}; see {@link Circle}
  * for the reason and for where it is from.
  */
-final class Decay {
+public final class Decay {
     private static final double HALF_LOG_2 = Circle.bits(0x3fd62e43);
     private static final double TWICE = Circle.bits(0x3ff0a2b2);
     private static final double TINY = 0x1p-28;
@@ -28,7 +28,7 @@ final class Decay {
     /**
      * @param x at most 0
      */
-    static double exp(double x) {
+    public static double exp(double x) {
         if (x < LEAST) {
             return StrictMath.exp(x);
         }

@@ -1,10 +1,10 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 /**
  * The tangent, to the last bit that of {@link StrictMath}; see {@link Circle} for the reason and
  * for where it is from.
  */
-final class Tangent {
+public final class Tangent {
     private static final double EIGHTH = 7.85398163397448278999e-01;
     private static final double EIGHTH_ERROR = 3.06161699786838301793e-17;
     private static final double AT_MOST_EIGHTH = Circle.bits(0x3fe921fc);
@@ -32,7 +32,7 @@ final class Tangent {
     /**
      * @param angle not farther than some turns
      */
-    static double tan(double angle) {
+    public static double tan(double angle) {
         if (Math.abs(angle) < AT_MOST_EIGHTH) {
             return of(angle, 0, false);
         }

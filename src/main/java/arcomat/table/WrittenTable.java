@@ -7,8 +7,8 @@ import java.util.List;
  * The text of a table, taken apart: what its clauses name, and what stands between the bars of its
  * rows. Its syntax is right, or nobody would ask.
  */
-record TableText(List<Part> inputs, List<Part> outputs, List<Row> rows) {
-    TableText {
+record WrittenTable(List<Part> inputs, List<Part> outputs, List<Row> rows) {
+    WrittenTable {
         inputs = List.copyOf(inputs);
         outputs = List.copyOf(outputs);
         rows = List.copyOf(rows);
@@ -26,7 +26,7 @@ record TableText(List<Part> inputs, List<Part> outputs, List<Row> rows) {
         }
     }
 
-    static TableText of(String text) {
+    static WrittenTable of(String text) {
         Part all = Part.of(text);
         List<Part> inputs = List.of();
         List<Part> outputs = List.of();
@@ -42,7 +42,7 @@ record TableText(List<Part> inputs, List<Part> outputs, List<Row> rows) {
                 rows.add(row(clause, all.tokens().get(next - 1).end()));
             }
         }
-        return new TableText(inputs, outputs, rows);
+        return new WrittenTable(inputs, outputs, rows);
     }
 
     private static Row row(Part clause, int end) {

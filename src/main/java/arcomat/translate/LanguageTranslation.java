@@ -21,7 +21,8 @@ import java.util.function.UnaryOperator;
  *
  * @param text what it means, as an automaton that nobody has read yet
  */
-public record Translation(Behaviour.Foreign behaviour, Meaning meaning, TranslatedText text) {
+public record LanguageTranslation(
+        Behaviour.Foreign behaviour, Meaning meaning, TranslatedText text) {
     /** Reads a text that was made of another one; nothing where it has errors. */
     public interface Parsing {
         Optional<Translated> parse(SourceFile text, UnaryOperator<Span> places);
@@ -32,13 +33,13 @@ public record Translation(Behaviour.Foreign behaviour, Meaning meaning, Translat
         return new Written(behaviour.keyword().span(), behaviour.name(), behaviour.body());
     }
 
-    public static Translation of(Behaviour.Foreign behaviour, Meaning meaning) {
+    public static LanguageTranslation of(Behaviour.Foreign behaviour, Meaning meaning) {
         List<Piece> pieces = new ArrayList<>();
         pieces.add(own(behaviour.keyword().span(), "automaton {"));
         pieces.addAll(meaning.pieces());
         pieces.add(own(behaviour.span(), "}"));
         String path = behaviour.span().file().path() + ".ioautomaton";
-        return new Translation(behaviour, meaning, TranslatedText.of(path, pieces));
+        return new LanguageTranslation(behaviour, meaning, TranslatedText.of(path, pieces));
     }
 
     private static Piece own(Span place, String text) {

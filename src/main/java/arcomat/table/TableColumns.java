@@ -16,14 +16,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /** ARC0334: the columns of a table are ports of the right direction, each once. */
-final class Columns {
+final class TableColumns {
     static final String CODE = "ARC0334";
 
     private final Written table;
     private final Vicinity around;
     private final Map<String, Span> seen = new HashMap<>();
 
-    Columns(Written table, Vicinity around) {
+    TableColumns(Written table, Vicinity around) {
         this.table = table;
         this.around = around;
     }
@@ -33,11 +33,11 @@ final class Columns {
      *
      * @param meaning takes what is wrong with them
      */
-    List<Column> of(List<Part> names, Kind side, Meaning meaning) {
-        List<Column> columns = new ArrayList<>();
+    List<TableColumn> of(List<Part> names, Kind side, Meaning meaning) {
+        List<TableColumn> columns = new ArrayList<>();
         for (Part name : names) {
             Span place = table.part(name.start(), name.end());
-            columns.add(new Column(place, isPort(name(name.text()), place, side, meaning)));
+            columns.add(new TableColumn(place, isPort(name(name.text()), place, side, meaning)));
         }
         return columns;
     }
@@ -60,7 +60,7 @@ final class Columns {
     }
 
     private boolean isPort(String name, Span place, Kind side, Meaning meaning) {
-        Optional<Value> port = around.value(name).filter(Columns::isPort);
+        Optional<Value> port = around.value(name).filter(TableColumns::isPort);
         if (port.isEmpty()) {
             unknown(name, place, side, meaning);
             return false;

@@ -1,4 +1,4 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 /**
  * An angle as quarter turns and a rest, in the way of fdlibm: pi / 2 is taken in parts of 33 bits,

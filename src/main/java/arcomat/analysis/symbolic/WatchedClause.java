@@ -4,7 +4,7 @@ package arcomat.analysis.symbolic;
  * A clause of a solver, in its own literals: twice a variable, and one more where it is negated.
  * The first two literals are watched.
  */
-final class Clause {
+final class WatchedClause {
     final int[] literals;
     final boolean learnt;
 
@@ -13,7 +13,7 @@ final class Clause {
 
     boolean removed;
 
-    Clause(int[] literals, boolean learnt) {
+    WatchedClause(int[] literals, boolean learnt) {
         this.literals = literals;
         this.learnt = learnt;
     }

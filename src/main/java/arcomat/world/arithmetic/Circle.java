@@ -1,4 +1,4 @@
-package arcomat.world;
+package arcomat.world.arithmetic;
 
 /**
  * Sine and cosine, to the last bit those of {@link StrictMath}, by sums and products alone. A
@@ -7,7 +7,7 @@ package arcomat.world;
  * <p>Method and coefficients: fdlibm (Sun Microsystems, 1993). An angle is taken modulo a quarter
  * turn, with a remainder of twice the precision; in there polynomials are near enough.
  */
-final class Circle {
+public final class Circle {
     /** Beyond, the remainder needs more digits than are here. */
     private static final double FAR = 500_000;
 
@@ -34,14 +34,14 @@ final class Circle {
 
     private Circle() {}
 
-    static double radians(double degrees) {
+    public static double radians(double degrees) {
         return degrees * 0.017453292519943295;
     }
 
     /**
      * An angle as the nearest one to 0, from -pi to pi: as Java's IEEEremainder by a whole turn.
      */
-    static double nearest(double angle) {
+    public static double nearest(double angle) {
         double whole = 2 * Math.PI;
         double half = Math.PI;
         double rest = Math.abs(angle % (2 * whole));
@@ -54,11 +54,11 @@ final class Circle {
         return angle < 0 ? -rest : rest;
     }
 
-    static double sin(double angle) {
+    public static double sin(double angle) {
         return Math.abs(angle) < EIGHTH ? sine(angle, 0, false) : turned(angle, 0);
     }
 
-    static double cos(double angle) {
+    public static double cos(double angle) {
         return Math.abs(angle) < EIGHTH ? cosine(angle, 0) : turned(angle, 1);
     }
 
