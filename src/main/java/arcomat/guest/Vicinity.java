@@ -67,7 +67,7 @@ public record Vicinity(String component, List<Value> values) {
             @Override
             public boolean admits(String written) {
                 if (!written.matches("-?[0-9]+")) {
-                    return !written.matches("[\\p{L}_$].*");
+                    return written.isEmpty() || !Character.isJavaIdentifierStart(written.charAt(0));
                 }
                 BigInteger number = new BigInteger(written);
                 return number.compareTo(BigInteger.valueOf(low)) >= 0

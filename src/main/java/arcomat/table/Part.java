@@ -12,14 +12,17 @@ import java.util.stream.Collectors;
  * @param tokens of it; comments and blanks are none
  */
 record Part(List<Token> tokens) {
-    /** Words and signs as far as a table has to tell them apart. */
+    /**
+     * Words and signs as far as a table has to tell them apart. Beyond ASCII all is a letter:
+     * browsers have no names for classes of characters here.
+     */
     private static final Pattern TOKEN =
             Pattern.compile(
                     "(\\s+|//[^\\n]*|/\\*(?s:.*?)\\*/)"
                             + "|\"[^\"\\\\]*+(?:\\\\.[^\"\\\\]*+)*+\""
                             + "|'[^'\\\\]*+(?:\\\\.[^'\\\\]*+)*+'"
                             + "|<=>|=>|\\|\\||==|<=|>=|!=|--"
-                            + "|[\\p{L}\\p{N}_$]+"
+                            + "|[A-Za-z0-9_$\\u0080-\\uffff]+"
                             + "|(?s:.)");
 
     /** A word or a sign, by offsets in the text. */

@@ -2,7 +2,6 @@ package arcomat.translate;
 
 import arcomat.guest.Vicinity;
 import arcomat.guest.Vicinity.Kind;
-import arcomat.guest.Vicinity.Type;
 import arcomat.guest.Vicinity.Value;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
@@ -34,13 +33,13 @@ public final class VicinityView {
                             kind, port.name(), type(port.type()), port.isTotal(), port.nameSpan()));
         }
         for (VariableSymbol each : component.variables()) {
-            Type type = type(each.type());
+            Vicinity.Type type = type(each.type());
             values.putIfAbsent(
                     each.name(),
                     new Value(Kind.VARIABLE, each.name(), type, false, each.nameSpan()));
         }
         for (ParameterSymbol each : component.parameters()) {
-            Type type = type(each.type());
+            Vicinity.Type type = type(each.type());
             values.putIfAbsent(
                     each.name(),
                     new Value(Kind.PARAMETER, each.name(), type, false, each.nameSpan()));
@@ -48,28 +47,28 @@ public final class VicinityView {
         return new Vicinity(component.name(), List.copyOf(values.values()));
     }
 
-    private static Type type(TypeSymbol type) {
+    private static Vicinity.Type type(TypeSymbol type) {
         String name = type.text();
         if (type.isBoolean()) {
-            return new Type.Choice(name, List.of("true", "false"));
+            return new Vicinity.Type.Choice(name, List.of("true", "false"));
         }
         if (type instanceof EnumSymbol symbol) {
-            return new Type.Choice(name, symbol.constants().stream().distinct().toList());
+            return new Vicinity.Type.Choice(name, symbol.constants().stream().distinct().toList());
         }
         return whole(type);
     }
 
-    private static Type whole(TypeSymbol type) {
+    private static Vicinity.Type whole(TypeSymbol type) {
         String name = type.text();
         if (type.base() == BuiltinType.CHARACTER) {
-            return new Type.Other(name);
+            return new Vicinity.Type.Other(name);
         }
         if (type instanceof RangeType range && range.low() <= range.high()) {
-            return new Type.Whole(name, range.low(), range.high());
+            return new Vicinity.Type.Whole(name, range.low(), range.high());
         }
         // A range whose ends are reversed is told as such.
         return type instanceof BuiltinType builtin && builtin.isWhole()
-                ? new Type.Whole(name, builtin.low(), builtin.high())
-                : new Type.Other(name);
+                ? new Vicinity.Type.Whole(name, builtin.low(), builtin.high())
+                : new Vicinity.Type.Other(name);
     }
 }

@@ -8,19 +8,19 @@ public final class Decay {
     private static final double HALF_LOG_2 = Circle.bits(0x3fd62e43);
     private static final double TWICE = Circle.bits(0x3ff0a2b2);
     private static final double TINY = 0x1p-28;
-    private static final double LOG_2 = 6.93147180369123816490e-01;
-    private static final double LOG_2_ERROR = 1.90821492927058770002e-10;
-    private static final double PER_LOG_2 = 1.44269504088896338700e+00;
+    private static final double LOG_2 = 0.6931471803691238;
+    private static final double LOG_2_ERROR = 1.9082149292705877e-10;
+    private static final double PER_LOG_2 = 1.4426950408889634;
 
     /** Less is no matter to anybody. */
     private static final double LEAST = -700;
 
     private static final double[] SERIES = {
-        1.66666666666666019037e-01,
-        -2.77777777770155933842e-03,
-        6.61375632143793436117e-05,
-        -1.65339022054652515390e-06,
-        4.13813679705723846039e-08
+        0.16666666666666602,
+        -0.0027777777777015593,
+        6.613756321437934e-05,
+        -1.6533902205465252e-06,
+        4.1381367970572385e-08
     };
 
     private Decay() {}

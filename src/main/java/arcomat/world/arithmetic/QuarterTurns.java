@@ -9,15 +9,15 @@ package arcomat.world.arithmetic;
  * @param error what is missing of the rest
  */
 record QuarterTurns(int count, double rest, double error) {
-    private static final double PER_RADIAN = 6.36619772367581382433e-01;
+    private static final double PER_RADIAN = 0.6366197723675814;
 
     /** The parts, and what is left behind each. */
     private static final double[] PART = {
-        1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21
+        1.5707963267341256, 6.077100506303966e-11, 2.0222662487111665e-21
     };
 
     private static final double[] LEFT = {
-        6.07710050650619224932e-11, 2.02226624879595063154e-21, 8.47842766036889956997e-32
+        6.077100506506192e-11, 2.0222662487959506e-21, 8.4784276603689e-32
     };
 
     private static final double THREE_EIGHTHS = Circle.bits(0x4002d97c);

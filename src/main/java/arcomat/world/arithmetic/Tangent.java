@@ -5,26 +5,26 @@ package arcomat.world.arithmetic;
  * for where it is from.
  */
 public final class Tangent {
-    private static final double EIGHTH = 7.85398163397448278999e-01;
-    private static final double EIGHTH_ERROR = 3.06161699786838301793e-17;
+    private static final double EIGHTH = 0.7853981633974483;
+    private static final double EIGHTH_ERROR = 3.061616997868383e-17;
     private static final double AT_MOST_EIGHTH = Circle.bits(0x3fe921fc);
     private static final double NEAR_EIGHTH = Circle.bits(0x3fe59428);
     private static final double TINY = 0x1p-28;
 
     private static final double[] SERIES = {
-        3.33333333333334091986e-01,
-        1.33333333333201242699e-01,
-        5.39682539762260521377e-02,
-        2.18694882948595424599e-02,
-        8.86323982359930005737e-03,
-        3.59207910759131235356e-03,
-        1.45620945432529025516e-03,
-        5.88041240820264096874e-04,
-        2.46463134818469906812e-04,
-        7.81794442939557092300e-05,
-        7.14072491382608190305e-05,
-        -1.85586374855275456654e-05,
-        2.59073051863633712884e-05
+        0.3333333333333341,
+        0.13333333333320124,
+        0.05396825397622605,
+        0.021869488294859542,
+        0.0088632398235993,
+        0.0035920791075913124,
+        0.0014562094543252903,
+        0.0005880412408202641,
+        0.0002464631348184699,
+        7.817944429395571e-05,
+        7.140724913826082e-05,
+        -1.8558637485527546e-05,
+        2.590730518636337e-05
     };
 
     private Tangent() {}

@@ -61,9 +61,17 @@ public final class PagePacker {
     /** Libraries that ask for each other by name; in their jars, by the ends of their paths. */
     private static final Map<String, String> LIBRARIES = libraries();
 
-    /** Comments that have lines of their own are a third of those libraries. */
+    /**
+     * Comments that have lines of their own: a third of those libraries, and some of our scripts.
+     */
     private static final Pattern COMMENT =
             Pattern.compile("(?m)^[ \\t]*(//.*|/\\*(?s:.*?)\\*/[ \\t]*)\\n");
+
+    private static final Pattern INDENTATION = Pattern.compile("(?m)^[ \\t]+");
+
+    /** A line break of the compiler's between two tokens that need none, nor a blank. */
+    private static final Pattern NEEDLESS_BREAK =
+            Pattern.compile("(?<=[;{},(=?:&|])\\n|\\n(?=[;{},()\\[])");
 
     private static final String LAYOUT = "klay.js";
     private static final String EXPORT = "export ";
@@ -101,7 +109,8 @@ public final class PagePacker {
         styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
         styles.append(Files.readString(sources.resolve("live.css")));
         List<String> scripts = new ArrayList<>();
-        scripts.add(kept("code-core", Files.readString(Path.of(args[1]))));
+        String core = Files.readString(Path.of(args[1]));
+        scripts.add(kept("code-core", NEEDLESS_BREAK.matcher(core).replaceAll("")));
         scripts.add(kept("code-worker", Files.readString(sources.resolve("worker.js"))));
         scripts.add(kept("code-layout", read(jars, "klayjs", LAYOUT)));
         String example = Files.readString(sources.resolve("example.json"));
@@ -126,7 +135,7 @@ public final class PagePacker {
     private static String modules(Path sources) throws IOException {
         StringBuilder all = new StringBuilder();
         for (String name : MODULES) {
-            String text = Files.readString(sources.resolve(name + ".js"));
+            String text = shortened(Files.readString(sources.resolve(name + ".js")));
             all.append(
                     text.lines()
                             .filter(line -> !line.startsWith("import "))
@@ -145,7 +154,7 @@ public final class PagePacker {
             throws IOException {
         StringBuilder all = new StringBuilder("const " + name + " = (() => {\n");
         for (String file : files) {
-            all.append(Files.readString(report.resolve(file + ".js")));
+            all.append(shortened(Files.readString(report.resolve(file + ".js"))));
         }
         return all.append("return " + part + ";\n})();\n").toString();
     }
@@ -171,9 +180,14 @@ public final class PagePacker {
                             + library.getKey()
                             + "'] = function (module, exports, require) {\n");
             String code = read(jars, library.getValue(), ".cjs");
-            all.append(COMMENT.matcher(code).replaceAll("")).append("\n};\n");
+            all.append(shortened(code)).append("\n};\n");
         }
         return all.toString();
+    }
+
+    /** For browsers alone: people read the scripts where they are written. */
+    private static String shortened(String code) {
+        return INDENTATION.matcher(COMMENT.matcher(code).replaceAll("")).replaceAll("");
     }
 
     /** The one file of a library whose path ends so. */
