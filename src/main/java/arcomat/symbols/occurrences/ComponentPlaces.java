@@ -1,5 +1,6 @@
 package arcomat.symbols.occurrences;
 
+import arcomat.source.ArrayNames;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -252,7 +253,7 @@ final class ComponentPlaces implements Element.Visitor {
                         || end.status() == Status.NO_SUCH_PORT
                         || end.status() == Status.COMPLETED;
         if (namesPart) {
-            end.instance()
+            part(written, end)
                     .ifPresent(
                             part ->
                                     places.add(
@@ -260,6 +261,12 @@ final class ComponentPlaces implements Element.Visitor {
                                             new Referent.Part(part),
                                             Role.REFERS));
         }
+    }
+
+    /** Of an array whose ports nobody knows, the first part stands for all. */
+    private Optional<InstanceSymbol> part(QualifiedName written, End end) {
+        String first = ArrayNames.element(written.parts().get(0).text(), 0);
+        return end.instance().or(() -> component.instance(first));
     }
 
     @Override
