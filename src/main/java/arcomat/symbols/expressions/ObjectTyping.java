@@ -126,11 +126,12 @@ final class ObjectTyping {
                                     count(attributes.size(), "attribute"),
                                     count(values.size(), "value")
                                             + (values.size() == 1 ? " is" : " are")));
-            return new TypedExpression.Erroneous(call, values);
+        } else {
+            for (int i = 0; i < values.size(); i++) {
+                checkValue(attributes.get(i), values.get(i));
+            }
         }
-        for (int i = 0; i < values.size(); i++) {
-            checkValue(attributes.get(i), values.get(i));
-        }
+        // Whatever it is made of, it is plain which class is meant.
         return new TypedExpression.NewObject(call, type, values);
     }
 
