@@ -38,9 +38,7 @@ public final class Connections {
      * connected, and nothing should be said about those that seem not to be.
      */
     public static boolean areUnclear(ComponentSymbol component) {
-        if (component.lacksAncestor()
-                || lacksPart(component)
-                || MeantParts.mayBeIn(component)) {
+        if (component.lacksAncestor() || lacksPart(component) || MeantParts.mayBeIn(component)) {
             return true;
         }
         return component.connectors().stream()
