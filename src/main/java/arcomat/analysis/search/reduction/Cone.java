@@ -22,13 +22,11 @@ import java.util.Set;
  * with all that this depends on.
  */
 final class Cone {
-    private final Network network;
     private final int[] senders;
     private final BitSet inside = new BitSet();
     private final Deque<Integer> open = new ArrayDeque<>();
 
     private Cone(Network network) {
-        this.network = network;
         this.senders = new int[network.signals()];
         Arrays.fill(senders, Network.UNCONNECTED);
         for (int part = 0; part < network.instances().size(); part++) {
