@@ -38,6 +38,12 @@ final class AutomatonText {
         return computed ? text.compute() : text.write(name);
     }
 
+    /** A table instead. */
+    static List<String> table(Draw draw, List<Plug> plugs) {
+        AutomatonText text = new AutomatonText(draw, plugs, false);
+        return new TableText(draw, plugs, false, text::message).write(text.head());
+    }
+
     private List<String> write(String name) {
         lines.add("    %s automaton%s {".formatted(head(), name.isEmpty() ? "" : " " + name));
         variables(name.isEmpty() && draw.chance(Features.FIELDS, 30));
