@@ -32,10 +32,14 @@ class ExpressionWriter {
     }
 
     String write(ExpressionContext expression) {
+        return new Bits(scope, this).write(expression).orElseGet(() -> plain(expression));
+    }
+
+    private String plain(ExpressionContext expression) {
         if (expression instanceof LiteralExpressionContext literal) {
             return literal.getText().equals("null") ? "--" : literal.getText();
         } else if (expression instanceof NameExpressionContext name) {
-            return port(name.getText());
+            return scope.known().text(name.getText()).orElseGet(() -> port(name.getText()));
         } else if (expression instanceof BracketExpressionContext bracket) {
             return "(" + write(bracket.expression()) + ")";
         } else if (expression instanceof PrefixExpressionContext prefix

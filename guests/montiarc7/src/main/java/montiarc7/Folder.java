@@ -27,8 +27,15 @@ final class Folder {
     private static final Pattern TYPE =
             Pattern.compile("\\b(?:enum|class|interface|type)\\s+(\\w+)");
 
+    private static final Pattern ENUM = Pattern.compile("\\benum\\s+(\\w+)[^{}]*\\{\\s*([^;}]*)");
+
     /** Full names of class diagrams, with the types in them. */
     private final Map<String, Set<String>> diagrams = new LinkedHashMap<>();
+
+    /**
+     * Constants of enumerations, by simple names; several lists where enumerations share a name.
+     */
+    private final Map<String, Set<List<String>>> constants = new HashMap<>();
 
     private final Map<String, ComponentContext> components = new HashMap<>();
     private final Set<String> packages = new HashSet<>();
@@ -49,7 +56,19 @@ final class Folder {
             types.add(type.group(1));
         }
         diagrams.put(full, types);
+        Matcher enumeration = ENUM.matcher(code.replaceAll("\\([^()]*\\)", ""));
+        while (enumeration.find()) {
+            constants
+                    .computeIfAbsent(enumeration.group(1), each -> new HashSet<>())
+                    .add(List.of(enumeration.group(2).trim().split("\\s*,\\s*")));
+        }
         return Optional.of(full);
+    }
+
+    /** All constants of an enumeration; nothing where several have this simple name. */
+    Optional<List<String>> constants(String simple) {
+        Set<List<String>> all = constants.getOrDefault(simple, Set.of());
+        return all.size() == 1 ? Optional.of(all.iterator().next()) : Optional.empty();
     }
 
     void addComponent(String packageName, ComponentContext component) {

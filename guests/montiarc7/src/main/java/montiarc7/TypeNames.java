@@ -165,7 +165,12 @@ final class TypeNames {
         return imports.stream().filter(each -> each.endsWith("." + name)).findFirst().orElse(name);
     }
 
-    /** Whether a name stands for a type of a class diagram, which is imported then. */
+    /** Whether a name stands for a type of a class diagram. */
+    boolean isType(String name) {
+        return diagram(name).isPresent();
+    }
+
+    /** The same; it is imported then. */
     boolean refersToEnum(String name) {
         Optional<String> known = diagram(name);
         String plain = name.substring(name.lastIndexOf('.') + 1);
