@@ -74,6 +74,7 @@ statement
     | 'do' statement 'while' '(' expression ')'                              # doStatement
     | ('return' | 'try' | 'throw' | 'assert') .*? (skipped | ';')            # otherStatement
     | expression assign=('=' | '+=' | '-=' | '*=' | '/=' | '%=') expression ';'           # assignStatement
+    | expression '=' (expression step=('++' | '--') | before=('++' | '--') expression) ';' # assignStepStatement
     | expression step=('++' | '--') ';'                                            # stepStatement
     | step=('++' | '--') expression ';'                                            # stepStatement
     | 'final'? type variable (',' variable)* ';'                             # localStatement

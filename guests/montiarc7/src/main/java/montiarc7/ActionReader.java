@@ -7,6 +7,7 @@ import montiarc7.Deed.Condition;
 import montiarc7.Deed.Said;
 import montiarc7.Deed.Sent;
 import montiarc7.MontiArc7Parser.AssignStatementContext;
+import montiarc7.MontiArc7Parser.AssignStepStatementContext;
 import montiarc7.MontiArc7Parser.BlockContext;
 import montiarc7.MontiArc7Parser.BlockStatementContext;
 import montiarc7.MontiArc7Parser.BreakStatementContext;
@@ -105,6 +106,8 @@ final class ActionReader {
         } else if (statement instanceof AssignStatementContext assign) {
             String operator = assign.assign.getText();
             return assign(assign.expression(0), operator, assign.expression(1));
+        } else if (statement instanceof AssignStepStatementContext assign) {
+            return assignStep(assign);
         } else if (statement instanceof StepStatementContext step) {
             return step(step.expression(), step.step.getText());
         } else if (statement instanceof LocalStatementContext local) {
@@ -230,6 +233,23 @@ final class ActionReader {
             return List.of(new Choice(there, List.of(sent), List.of()));
         }
         return List.of(sent);
+    }
+
+    /** 'a = b++' and 'a = ++b'. */
+    private List<Deed> assignStep(AssignStepStatementContext assign) {
+        ExpressionContext value = assign.expression(1);
+        List<Deed> deeds = new ArrayList<>();
+        if (assign.before != null) {
+            deeds.addAll(step(value, assign.before.getText()));
+        }
+        deeds.addAll(assign(assign.expression(0), "=", value));
+        if (assign.step != null) {
+            if (assign.expression(0).getText().equals(value.getText())) {
+                return deeds; // Java assigns last what was there before
+            }
+            deeds.addAll(step(value, assign.step.getText()));
+        }
+        return deeds;
     }
 
     private static Said said(String text, String changed) {

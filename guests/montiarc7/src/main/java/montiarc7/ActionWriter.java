@@ -2,6 +2,7 @@ package montiarc7;
 
 import montiarc7.Deed.Block;
 import montiarc7.MontiArc7Parser.AssignStatementContext;
+import montiarc7.MontiArc7Parser.AssignStepStatementContext;
 import montiarc7.MontiArc7Parser.StepStatementContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -52,6 +53,8 @@ final class ActionWriter {
             names.add(assign.expression(0).getText());
         } else if (action instanceof StepStatementContext step) {
             names.add(step.expression().getText());
+        } else if (action instanceof AssignStepStatementContext assign) {
+            assign.expression().forEach(each -> names.add(each.getText()));
         } else if (action.children != null) {
             for (var child : action.children) {
                 if (child instanceof ParserRuleContext inner) {

@@ -4,6 +4,7 @@ import montiarc7.Deed.Block;
 import montiarc7.Deed.Choice;
 import montiarc7.Deed.Said;
 import montiarc7.Deed.Sent;
+import montiarc7.MontiArc7Parser.BinaryExpressionContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -44,6 +45,10 @@ final class Sending {
         }
 
         boolean isFalse(ExpressionContext asked, Guards guards) {
+            if (Choices.bare(asked) instanceof BinaryExpressionContext either
+                    && either.op.getText().equals("||")) {
+                return either.expression().stream().allMatch(each -> isFalse(each, guards));
+            }
             return held.stream().anyMatch(each -> guards.exclude(each, asked))
                     || failed.stream().anyMatch(each -> guards.follows(each, asked));
         }

@@ -58,7 +58,7 @@ component Bell {
                     Integer strike1 = all;
                     all = 5;
                     strike = [1, more, 2, 9, strike1];
-                } else if (ask == 5) {
+                } else if (ask == 5 || ask == 7) {
                     Integer strike2 = all;
                     all = 5;
                     strike = [1, more, 2, 5, strike2];
@@ -74,7 +74,7 @@ component Bell {
                     Integer strike4 = all;
                     all = 5;
                     strike = [more, 9, strike4];
-                } else if (ask == 5) {
+                } else if (ask == 5 || ask == 7) {
                     Integer strike5 = all;
                     all = 5;
                     strike = [more, 5, strike5];
@@ -84,6 +84,14 @@ component Bell {
                     strike = [more, strike6];
                 }
             }
+        };
+        Ready -> Ready [ask == 0 && !(ask > 4)] {ask == ?} / do {
+            all = all;
+            all--;
+            Integer strike1 = all;
+            Integer strike2 = all;
+            all = 5;
+            strike = [0, 1, 2, strike1, strike2];
         };
         // What is not there is not sent.
         Ready -> Ready [ask < 0 && ask != 1 && ask != 2 && ask != 3 && ask != 4 && !(ask > 4)]

@@ -49,7 +49,13 @@ component Bell {
       { int more = ask + 1; strike = more; }
       if (ask > 6) { late = true; strike = 2; } else { late = false; }
       if (ask == 9) strike = 9;
-      if (ask == 5) strike = 5;
+      if (ask == 5 || ask == 7) strike = 5;
+    }
+    Ready -> Ready [ask == 0] ask / {
+      int a = 0;
+      while (a < 3) strike = a++;
+      all = all++;
+      strike = --all;
     }
     // What is not there is not sent.
     Ready -> Ready [ask < 0] ask / {

@@ -17,13 +17,14 @@ testsuite BellTest for Bell {
     test waysSendMoreOrLess {
         events {
             ask: 5;
+            ask: 0;
             ask: 9;
             ask: -1;
             ask: -2;
             ask: -3;
         }
         expect {
-            strike: <(0, -1, 0), (6, 5, 5), (1, 10, 2, 9, 5), (-1, 11, 5), (-2, 5), (-3, 12, 5)>;
+            strike: <(0, -1, 0), (6, 5, 5), (0, 1, 2, 4, 4), (1, 10, 2, 9, 5), (-1, 11, 5), (-2, 5), (-3, 12, 5)>;
             late: <false, true, true>;
         }
     }
