@@ -33,6 +33,9 @@ final class Course {
 
     boolean isInLoop;
 
+    /** Of all loops so far. */
+    int rounds;
+
     /** What counts, and stays as it is in a branch of which nobody knows whether it is taken. */
     Set<String> fixed = Set.of();
 

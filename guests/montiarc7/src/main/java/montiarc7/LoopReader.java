@@ -26,7 +26,7 @@ import java.util.Set;
  * other, with numbers in the place of what counts.
  */
 final class LoopReader {
-    private static final int MOST_ROUNDS = 100;
+    private static final int MOST_ROUNDS = 256;
 
     private final ActionReader reader;
     private final Course course;
@@ -126,13 +126,13 @@ final class LoopReader {
         boolean wasInRound = course.isInRound;
         boolean wasInLoop = course.isInLoop;
         course.isInLoop = true;
-        for (int i = 0;
-                course.next != Next.BEHIND && (i == 0 && !asksFirst || holds(loop, condition));
-                i++) {
-            if (i == MOST_ROUNDS) {
+        boolean goesOn = !asksFirst || holds(loop, condition);
+        while (goesOn) {
+            course.rounds++;
+            if (course.rounds > MOST_ROUNDS) {
                 reader.refuse(
                         loop,
-                        "this loop goes round more than %d times; Arcomat has no loops, and what it does is too much to be written out"
+                        "the loops of this action go round more than %d times; Arcomat has no loops, and what they do is too much to be written out"
                                 .formatted(MOST_ROUNDS));
                 break;
             }
@@ -145,6 +145,7 @@ final class LoopReader {
                 course.next = Next.GO_ON;
                 changes.forEach(each -> deeds.addAll(change(each)));
             }
+            goesOn = course.next != Next.BEHIND && holds(loop, condition);
         }
         course.isInRound = wasInRound;
         course.isInLoop = wasInLoop;
