@@ -58,6 +58,10 @@ final class ActionReader {
         return course;
     }
 
+    Counting counting() {
+        return new Counting(course, scope.lacks());
+    }
+
     private ExpressionWriter expressions() {
         return new ExpressionWriter(scope());
     }
@@ -99,9 +103,9 @@ final class ActionReader {
                             statement,
                             statement instanceof CallStatementContext
                                     ? "this call is left out: what it does is done outside of the"
-                                          + " model"
+                                            + " model"
                                     : "this is left out: it is a matter of objects, into which"
-                                          + " nothing that is converted looks");
+                                            + " nothing that is converted looks");
             return List.of();
         } else if (statement instanceof AssignStatementContext assign) {
             String operator = assign.assign.getText();
@@ -133,7 +137,7 @@ final class ActionReader {
                 statement,
                 leaves && course.isInLoop
                         ? "whether a loop goes on here is known only while a model runs, and"
-                              + " Arcomat has no loops; let it count from one number to another"
+                                + " Arcomat has no loops; let it count from one number to another"
                         : "this %s cannot be said in Arcomat, whose actions have assignments, local variables and 'if'"
                                 .formatted(what));
         return List.of();
@@ -174,7 +178,7 @@ final class ActionReader {
     private List<Deed> choice(IfStatementContext choice) {
         ExpressionContext asked = choice.expression();
         Optional<Boolean> holds = new Arithmetic(course.known).truth(asked);
-        if (holds.isPresent() && course.known.speaksOf(names(asked))) {
+        if (holds.isPresent() && course.known.speaksOf(Names.in(asked))) {
             int taken = holds.get() ? 0 : 1;
             return taken < choice.statement().size() ? taken(choice.statement(taken)) : List.of();
         }
@@ -210,8 +214,8 @@ final class ActionReader {
 
     List<Deed> assign(ExpressionContext left, String operator, ExpressionContext value) {
         String target = target(left);
-        if (course.known.values().containsKey(target)) {
-            count(left, target, operator, new Arithmetic(course.known).number(value));
+        if (counting().has(target)) {
+            counting().change(left, target, operator, new Arithmetic(course.known).number(value));
             return List.of();
         }
         String name = course.known.text(target).orElse(target);
@@ -258,38 +262,13 @@ final class ActionReader {
 
     List<Deed> step(ExpressionContext variable, String operator) {
         String target = target(variable);
-        if (course.known.values().containsKey(target)) {
-            count(variable, target, operator.substring(1) + "=", Optional.of(1));
+        if (counting().has(target)) {
+            String sign = operator.substring(1) + "=";
+            counting().change(variable, target, sign, Optional.of(1));
             return List.of();
         }
         String name = course.known.text(target).orElse(target);
         return List.of(said(name + operator, name));
-    }
-
-    private void count(
-            ParserRuleContext place, String name, String operator, Optional<Number> value) {
-        Number before = course.known.values().get(name);
-        Optional<Number> after =
-                operator.equals("=")
-                        ? value
-                        : value.flatMap(
-                                        each ->
-                                                Arithmetic.calculated(
-                                                        operator.substring(0, 1), before, each))
-                                .map(Number.class::cast);
-        if (after.isEmpty() || course.fixed.contains(name)) {
-            refuse(
-                    place,
-                    "a loop counts with '%s', which is known here only while a model runs; let it count from one number to another"
-                            .formatted(name));
-            return;
-        }
-        course.known = course.known.with(name, like(before, after.get()));
-    }
-
-    /** As Java's compound assignments have it. */
-    private static Number like(Number before, Number after) {
-        return before instanceof Long ? (Number) after.longValue() : (Number) after.intValue();
     }
 
     private String target(ExpressionContext expression) {
@@ -304,7 +283,7 @@ final class ActionReader {
 
     private List<Deed> declare(TypeContext type, VariableContext variable) {
         String name = variable.name().getText();
-        if (course.counting.contains(name) && count(type, variable)) {
+        if (course.counting.contains(name) && counting().begin(type, variable)) {
             return List.of();
         }
         String written = free(name);
@@ -321,20 +300,6 @@ final class ActionReader {
                 new Said(scope.types().message(type) + " " + written + value, written, true));
     }
 
-    /** Whether a variable counts from now on. */
-    boolean count(TypeContext type, VariableContext variable) {
-        if (variable.expression() == null || !type.getText().matches("int|Integer|long|Long")) {
-            return false;
-        }
-        Optional<Number> value = new Arithmetic(course.known).number(variable.expression());
-        Number like = type.getText().matches("[lL]ong") ? (Number) 0L : (Number) 0;
-        value.ifPresent(
-                each ->
-                        course.known =
-                                course.known.with(variable.name().getText(), like(like, each)));
-        return value.isPresent();
-    }
-
     /** Each round of a loop declares its variables anew. */
     private String free(String name) {
         String free = name;
@@ -346,26 +311,9 @@ final class ActionReader {
 
     private Set<String> reads(ExpressionContext value) {
         Set<String> names = new HashSet<>();
-        for (String each : names(value)) {
+        for (String each : Names.in(value)) {
             if (!scope.inputs().contains(each) && !course.known.values().containsKey(each)) {
                 names.add(course.known.text(each).orElse(each));
-            }
-        }
-        return names;
-    }
-
-    /** All names that something speaks of. */
-    static Set<String> names(ParserRuleContext tree) {
-        Set<String> names = new HashSet<>();
-        if (tree instanceof NameExpressionContext) {
-            names.add(tree.getText());
-        } else if (tree instanceof MemberExpressionContext member
-                && member.expression().getText().equals("this")) {
-            names.add(member.name().getText());
-        }
-        for (var child : tree.children) {
-            if (child instanceof ParserRuleContext inner) {
-                names.addAll(names(inner));
             }
         }
         return names;

@@ -130,7 +130,9 @@ class ExpressionWriter {
                 : unknown(member);
     }
 
-    /** The type of what is named, where it is an object of a class diagram or an attribute of one. */
+    /**
+     * The type of what is named, where it is an object of a class diagram or an attribute of one.
+     */
     private Optional<String> type(ExpressionContext expression) {
         if (expression instanceof NameExpressionContext) {
             return declared(expression.getText());
@@ -148,14 +150,15 @@ class ExpressionWriter {
         return Optional.ofNullable(scope.declared().get(name)).map(ParserRuleContext::getText);
     }
 
-    /** Whether a method that gets it may change what is in an object, by this name or another one. */
+    /**
+     * Whether a method that gets it may change what is in an object, by this name or another one.
+     */
     private boolean isObject(ExpressionContext given) {
         Optional<String> type = type(given);
         boolean isNamed =
                 given instanceof NameExpressionContext || given instanceof MemberExpressionContext;
         return isNamed
-                && type.map(each -> !scope.types().isValue(each))
-                        .orElse(!isConstantText(given));
+                && type.map(each -> !scope.types().isValue(each)).orElse(!isConstantText(given));
     }
 
     /** A constant of an enumeration, or what a class holds. */

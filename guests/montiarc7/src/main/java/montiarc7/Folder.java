@@ -72,7 +72,10 @@ final class Folder {
         return Optional.of(full);
     }
 
-    /** The type of an attribute of a class, or of one that it extends; nothing where several classes have this simple name. */
+    /**
+     * The type of an attribute of a class, or of one that it extends; nothing where several classes
+     * have this simple name.
+     */
     Optional<String> attribute(String simple, String attribute) {
         Set<String> seen = new HashSet<>();
         String at = simple;

@@ -46,7 +46,7 @@ final class LoopReader {
     private static void collect(ParserRuleContext tree, boolean isInLoop, Set<String> names) {
         boolean isLoop = isLoop(tree);
         if (isLoop || isInLoop && tree instanceof IfStatementContext && leaves(tree)) {
-            condition(tree).ifPresent(each -> names.addAll(ActionReader.names(each)));
+            condition(tree).ifPresent(each -> names.addAll(Names.in(each)));
         }
         for (var child : tree.children) {
             if (child instanceof ParserRuleContext inner && inner.children != null) {
@@ -107,11 +107,11 @@ final class LoopReader {
         }
         loop.loopStart().change().forEach(each -> deeds.addAll(change(each)));
         for (VariableContext each : loop.loopStart().variable()) {
-            if (!reader.count(loop.loopStart().type(), each)) {
+            if (!reader.counting().begin(loop.loopStart().type(), each)) {
                 reader.refuse(
                         each,
                         "where this loop begins is known only while a model runs, and Arcomat has"
-                            + " no loops; let it count from one number to another");
+                                + " no loops; let it count from one number to another");
             }
         }
     }
@@ -161,7 +161,7 @@ final class LoopReader {
             reader.refuse(
                     loop,
                     "how often this loop goes round is known only while a model runs, and Arcomat"
-                        + " has no loops; let it count from one number to another");
+                            + " has no loops; let it count from one number to another");
         }
         return holds.orElse(false);
     }

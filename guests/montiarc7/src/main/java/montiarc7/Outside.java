@@ -73,7 +73,7 @@ final class Outside {
             return names;
         }
         if (tree instanceof ExpressionContext expression) {
-            return ActionReader.names(expression);
+            return Names.in(expression);
         }
         for (var child : tree.children) {
             if (child instanceof ParserRuleContext inner && inner.children != null) {

@@ -244,9 +244,7 @@ final class Sending {
     private boolean isDefined(ExpressionContext condition) {
         return scope.present()
                 .containsAll(
-                        ActionReader.names(condition).stream()
-                                .filter(scope.inputs()::contains)
-                                .toList());
+                        Names.in(condition).stream().filter(scope.inputs()::contains).toList());
     }
 
     /** Where names end with a block that is gone on with, they must not be those of others. */

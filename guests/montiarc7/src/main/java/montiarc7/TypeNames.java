@@ -116,7 +116,10 @@ final class TypeNames {
         return given;
     }
 
-    /** Whether it is of a type of which nobody can change what is in it: a number, a text, a constant. */
+    /**
+     * Whether it is of a type of which nobody can change what is in it: a number, a text, a
+     * constant.
+     */
     boolean isValue(String type) {
         String simple = ClassText.simple(type);
         return OWN.containsKey(simple) || folder.constants(simple).isPresent();
