@@ -8,6 +8,7 @@ import montiarc7.MontiArc7Parser.ExpressionContext;
 import montiarc7.MontiArc7Parser.PrefixExpressionContext;
 import montiarc7.MontiArc7Parser.ShiftExpressionContext;
 
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -15,6 +16,9 @@ import java.util.Optional;
  * of 32 and 64 bits that wrap around, and knows no bits.
  */
 final class Bits {
+    /** Of single bits, and of truth values. */
+    private static final Map<String, String> TRUTHS = Map.of("&", "&&", "|", "||", "^", "!=");
+
     private final Scope scope;
     private final ExpressionWriter writer;
     private final Kinds kinds;
@@ -35,20 +39,14 @@ final class Bits {
                 && prefix.op.getText().equals("~")
                 && kinds.of(prefix).isWhole()) {
             return Optional.of("(-1 - " + text(prefix.expression()) + ")");
-        } else if (expression instanceof BinaryExpressionContext binary
-                && binary.op.getText().matches("[!=]=")) {
+        } else if (expression instanceof BinaryExpressionContext binary) {
             return compared(binary);
         }
         return Optional.empty();
     }
 
     private String truth(BitExpressionContext bits) {
-        String operator =
-                switch (bits.op.getText()) {
-                    case "&" -> "&&";
-                    case "|" -> "||";
-                    default -> "!=";
-                };
+        String operator = TRUTHS.get(bits.op.getText());
         return "(%s %s %s)".formatted(text(bits.expression(0)), operator, text(bits.expression(1)));
     }
 
@@ -109,19 +107,44 @@ final class Bits {
                 .map(Long::intValue);
     }
 
+    /** With zero, which asks whether any bit is set, or the one that is the sign. */
     private Optional<String> compared(BinaryExpressionContext binary) {
-        boolean isNothing =
-                constant(binary.expression(1)).filter(each -> each.longValue() == 0).isPresent();
-        ExpressionContext asked = bare(binary.expression(0));
-        if (!isNothing || !kinds.of(asked).isWhole() || !isOfBits(asked)) {
+        boolean isLeft = isZero(binary.expression(0));
+        ExpressionContext asked = bare(binary.expression(isLeft ? 1 : 0));
+        if (!isLeft && !isZero(binary.expression(1))
+                || !isOfBits(asked)
+                || !kinds.of(asked).isWhole()) {
             return Optional.empty();
         }
-        String sign = binary.op.getText().equals("==") ? "" : "!";
-        return Optional.of(sign + "(" + nothing(asked, 0) + ")");
+        return switch (binary.op.getText()) {
+            case "==" -> Optional.of("(" + nothing(asked, 0) + ")");
+            case "!=" -> Optional.of("!(" + nothing(asked, 0) + ")");
+            case "<" -> Optional.of(negative(asked)).filter(each -> !isLeft);
+            case ">=" -> Optional.of("!" + negative(asked)).filter(each -> !isLeft);
+            case ">" -> Optional.of(negative(asked)).filter(each -> isLeft);
+            case "<=" -> Optional.of("!" + negative(asked)).filter(each -> isLeft);
+            default -> Optional.empty();
+        };
+    }
+
+    private boolean isZero(ExpressionContext expression) {
+        return constant(expression).filter(each -> each.longValue() == 0).isPresent();
+    }
+
+    /** Whether the bit is set that is the sign. */
+    private String negative(ExpressionContext at) {
+        ExpressionContext expression = bare(at);
+        if (expression instanceof BitExpressionContext bits) {
+            String operator = TRUTHS.get(bits.op.getText());
+            return "(%s %s %s)"
+                    .formatted(
+                            negative(bits.expression(0)), operator, negative(bits.expression(1)));
+        }
+        return "(" + text(expression) + " < 0)";
     }
 
     private static boolean isOfBits(ExpressionContext expression) {
-        return expression instanceof BitExpressionContext bits && bits.op.getText().matches("[|^]")
+        return expression instanceof BitExpressionContext
                 || expression instanceof ShiftExpressionContext;
     }
 

@@ -18,6 +18,7 @@ component Code {
         out Boolean high,
         out Boolean same,
         out Boolean clear;
+    port out Boolean over, out Boolean none, out Boolean some, out Boolean differ;
     <<completion = "ignore">> compute {
         low = ((a % 8 + 8) % 8);
         half = (a >= 0 ? a / 2 : -1 - (-1 - a) / 2);
@@ -31,5 +32,10 @@ component Code {
         high = !(a >= 0 && a < 8 && b >= 0 && b < 8);
         same = (a == b);
         clear = (a == 0 && c == 0);
+        Integer sum = a + b;
+        over = (((a < 0) != (sum < 0)) && ((b < 0) != (sum < 0)));
+        none = !((a < 0) || (b < 0));
+        some = !((a < 0) && (b < 0));
+        differ = ((a < 0) != (c < 0));
     }
 }

@@ -6,6 +6,7 @@ component Code {
   port sync out int low, half, more, upper, other;
   port sync out long far;
   port sync out boolean both, one, any, high, same, clear;
+  port sync out boolean over, none, some, differ;
 
   compute {
     low = a & 7;
@@ -20,5 +21,10 @@ component Code {
     high = (a | b) >>> 3 != 0;
     same = (a ^ b) == 0;
     clear = (a | c) == 0;
+    int sum = a + b;
+    over = 0 > ((a ^ sum) & (b ^ sum));
+    none = (a | b) >= 0;
+    some = 0 <= (a & b);
+    differ = (a ^ c) < 0;
   }
 }

@@ -22,6 +22,26 @@ testsuite CodeTest for Code {
             high: <true, Tk, true, Tk, true, Tk, false, Tk, false, Tk>;
             same: <true, Tk, false, Tk, false, Tk, true, Tk, false, Tk>;
             clear: <false, Tk, false, Tk, false, Tk, true, Tk, false, Tk>;
+            over: <false, Tk, false, Tk, false, Tk, false, Tk, false, Tk>;
+            none: <true, Tk, false, Tk, false, Tk, true, Tk, true, Tk>;
+            some: <true, Tk, true, Tk, true, Tk, true, Tk, true, Tk>;
+            differ: <false, Tk, false, Tk, true, Tk, false, Tk, false, Tk>;
+        }
+    }
+
+    test knowsSumsThatAreTooLarge {
+        input {
+            a: <2147483647, Tk, -2147483648, Tk, -5, Tk>;
+            b: <1, Tk, -1, Tk, -6, Tk>;
+            c: <-1L, Tk, 1L, Tk, 0L, Tk>;
+            p: <true, Tk, true, Tk, true, Tk>;
+            q: <true, Tk, true, Tk, true, Tk>;
+        }
+        expect {
+            over: <true, Tk, true, Tk, false, Tk>;
+            none: <true, Tk, false, Tk, false, Tk>;
+            some: <true, Tk, false, Tk, false, Tk>;
+            differ: <true, Tk, true, Tk, true, Tk>;
         }
     }
 }
