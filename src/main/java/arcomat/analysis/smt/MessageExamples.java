@@ -9,10 +9,8 @@ import arcomat.semantics.expression.Term;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -80,24 +78,12 @@ public final class MessageExamples {
     }
 
     /**
-     * Of letters that some steps tell apart.
+     * Examples for open ports, about which there are facts.
      *
      * @param stop asked now and then, whether to give up
      */
-    public static Source of(List<DataStep> steps, BooleanSupplier stop) {
-        Map<List<Object>, Rows> known = new HashMap<>();
-        List<DataFact> all = DataStep.facts(steps);
-        Remainders remainders = new Remainders();
-        return (letter, open) -> {
-            List<DataFact> facts =
-                    all.stream()
-                            .map(fact -> fact.with(e -> remainders.of(e, letter)))
-                            .filter(DataFact::isOpen)
-                            .distinct()
-                            .toList();
-            return known.computeIfAbsent(
-                    List.of(open, facts), each -> new MessageExamples(open, facts, stop).found());
-        };
+    static Rows of(List<Port> open, List<DataFact> facts, BooleanSupplier stop) {
+        return new MessageExamples(open, facts, stop).found();
     }
 
     private static Look look(DataFact fact, Scope scope) {
