@@ -149,12 +149,7 @@ final class ActionReader {
 
     /** What is declared in it is forgotten. */
     private List<Deed> local(ParserRuleContext action) {
-        Known outer = course.known;
-        Set<String> declared = new HashSet<>(course.declared);
-        List<Deed> deeds = inside(action);
-        course.known = course.known.of(outer);
-        course.declared = declared;
-        return deeds;
+        return course.inBlock(() -> inside(action));
     }
 
     /** What is done where nobody knows beforehand whether it is. */
@@ -163,13 +158,13 @@ final class ActionReader {
         boolean isInRound = course.isInRound;
         course.fixed = course.known.values().keySet();
         course.isInRound = false;
-        List<Deed> deeds = new ArrayList<>();
         ActionReader reader = new ActionReader(scope.with(present), course, outside);
-        Known outer = course.known;
-        Set<String> declared = new HashSet<>(course.declared);
-        statements.forEach(each -> deeds.addAll(reader.inside(each)));
-        course.known = course.known.of(outer);
-        course.declared = declared;
+        List<Deed> deeds =
+                course.inBlock(
+                        () ->
+                                statements.stream()
+                                        .flatMap(each -> reader.inside(each).stream())
+                                        .toList());
         course.fixed = fixed;
         course.isInRound = isInRound;
         return deeds;
@@ -294,7 +289,7 @@ final class ActionReader {
         if (!written.equals(name)) {
             course.known = course.known.calling(name, written);
         }
-        course.types.put(name, type);
+        course.declare(name, type);
         course.declared.add(written);
         return List.of(
                 new Said(scope.types().message(type) + " " + written + value, written, true));

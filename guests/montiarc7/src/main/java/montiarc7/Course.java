@@ -4,8 +4,10 @@ import montiarc7.MontiArc7Parser.TypeContext;
 
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /** How far an action has been read: what is known there, and where it goes on. */
 final class Course {
@@ -24,7 +26,7 @@ final class Course {
     Known known = Known.NOTHING;
 
     /** Of local variables, as the original calls them. */
-    final Map<String, TypeContext> types = new HashMap<>();
+    Map<String, TypeContext> types = Map.of();
 
     Next next = Next.GO_ON;
 
@@ -44,5 +46,29 @@ final class Course {
 
     Course(Set<String> counting) {
         this.counting = Set.copyOf(counting);
+    }
+
+    void declare(String variable, TypeContext type) {
+        Map<String, TypeContext> more = new HashMap<>(types);
+        more.put(variable, type);
+        types = Map.copyOf(more);
+    }
+
+    /** What is read in a block: what it declares is forgotten behind it. */
+    List<Deed> inBlock(Supplier<List<Deed>> block) {
+        Set<String> names = new HashSet<>(declared);
+        List<Deed> deeds = inRound(block);
+        declared = names;
+        return deeds;
+    }
+
+    /** The same without braces: names that are written in a round are not written anew. */
+    List<Deed> inRound(Supplier<List<Deed>> round) {
+        Known outer = known;
+        Map<String, TypeContext> before = types;
+        List<Deed> deeds = round.get();
+        known = known.of(outer);
+        types = before;
+        return deeds;
     }
 }

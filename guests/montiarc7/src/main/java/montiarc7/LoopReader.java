@@ -138,9 +138,7 @@ final class LoopReader {
             }
             course.isInRound = true;
             course.next = Next.GO_ON;
-            Known before = course.known;
-            deeds.addAll(reader.inside(body));
-            course.known = course.known.of(before);
+            deeds.addAll(course.inRound(() -> reader.inside(body)));
             if (course.next != Next.BEHIND) {
                 course.next = Next.GO_ON;
                 changes.forEach(each -> deeds.addAll(change(each)));
