@@ -128,25 +128,54 @@ public final class MessageExamples {
         for (Value[] row : new SmallExamples(ports, facts).rows()) {
             add(row);
         }
-        FactTerms terms = new FactTerms(ports, facts, stop);
         try {
-            insist();
-            met.forEach(terms::exclude);
-            Optional<Value[]> next = terms.another();
-            while (next.isPresent()) {
-                if (add(next.get())) {
-                    terms.exclude(shown(next.get()));
-                    insist();
-                } else {
-                    terms.learn(next.get());
-                }
-                next = terms.another();
-            }
+            settle();
             return new Rows(examples, Optional.empty());
         } catch (GivenUp reason) {
             return new Rows(
                     examples.subList(0, Math.min(SOME, examples.size())),
                     Optional.of(String.valueOf(reason.getMessage())));
+        }
+    }
+
+    /** What bits are better for, they are asked about first, and about the rest last. */
+    private void settle() {
+        boolean bitsFirst = FactBits.areFor(facts);
+        if (bitsFirst && isSettledInBits()) {
+            return;
+        }
+        try {
+            insist();
+            settle(new FactTerms(ports, facts, stop));
+        } catch (GivenUp reason) {
+            if (bitsFirst || !isSettledInBits()) {
+                throw reason;
+            }
+        }
+    }
+
+    private boolean isSettledInBits() {
+        try {
+            insist();
+            settle(new FactBits(ports, facts, stop));
+            return true;
+        } catch (GivenUp hard) {
+            return false;
+        }
+    }
+
+    /** Until there is no further way in which facts can be so or not. */
+    private void settle(FactSolver solver) {
+        met.forEach(solver::exclude);
+        Optional<Value[]> next = solver.another();
+        while (next.isPresent()) {
+            if (add(next.get())) {
+                solver.exclude(shown(next.get()));
+                insist();
+            } else {
+                solver.learn(next.get());
+            }
+            next = solver.another();
         }
     }
 
