@@ -146,7 +146,7 @@ final class Circuit {
     /** What fits of it; the same bits for the same factors, whichever comes first. */
     int[] product(int[] one, int[] other) {
         int width = one.length;
-        boolean inOrder = Arrays.compare(one, other) <= 0;
+        boolean inOrder = isFirst(one, other);
         int[] a = inOrder ? one : other;
         int[] b = inOrder ? other : one;
         int[] product = constant(0, width);
@@ -158,6 +158,14 @@ final class Circuit {
             product = sum(product, row);
         }
         return product;
+    }
+
+    private static boolean isFirst(int[] one, int[] other) {
+        int i = 0;
+        while (i < one.length - 1 && one[i] == other[i]) {
+            i++;
+        }
+        return one[i] <= other[i];
     }
 
     /** A quotient and its rest. */
