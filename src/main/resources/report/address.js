@@ -1,5 +1,6 @@
 // The address says what is to be seen, for others and for later: #17 is the slice, #17/cmd the chosen row as well, and
-// #17/cmd/p.DoorTest#waits, or only #17/cmd/waits, the run where there are several.
+// #17/cmd/p.DoorTest#waits, or only #17/cmd/waits, the run where there are several. Behind that stand the groups that are
+// folded, and orders that somebody gave rows or groups: #17///outputs,part%20a/inputs,j,i;part%20a%2F,part%20a.c,part%20a.b.
 
 /** Browsers forbid to change it all the time. */
 const PAUSE = 300;
@@ -14,11 +15,13 @@ class Address {
 
   /** Goes where it says; what it does not say, or what there is none of, stays as it is. */
   open() {
-    const [step, row, run] = location.hash.slice(1).split("/").map(decoded);
+    const parts = location.hash.slice(1).split("/");
+    const [step, row, run] = parts.map(decoded);
     const stories = this.stories;
     const index = stories.data.findIndex((story) => story.title === run || story.title.endsWith("#" + run));
-    if (index >= 0 && index !== stories.index) {
-      stories.show(index);
+    const isArranged = parts.length > 3 && this.arrange(parts[3], parts[4] || "");
+    if (isArranged || (index >= 0 && index !== stories.index)) {
+      stories.show(index >= 0 ? index : stories.index);
     }
     const story = stories.current;
     if (!story || story.length === 0) {
@@ -32,6 +35,20 @@ class Address {
     }
   }
 
+  /** Folds and orders as it says, as far as there are such groups and rows; false where it says nothing of any. */
+  arrange(folded, orders) {
+    const tracks = this.stories.data.flatMap((story) => story.tracks);
+    const groups = new Set(tracks.map((track) => track.group));
+    const names = new Set([...groups, ...tracks.map((track) => track.name)]);
+    const lists = orders.split(";").map((order) => order.split(",").map(decoded));
+    return this.stories.arrangement.set(
+      folded.split(",").map(decoded).filter((name) => groups.has(name)),
+      lists
+        .filter(([place, ...others]) => groups.has(place.replace(/\/$/, "")) || (place === "" && others.length > 0))
+        .map(([place, ...others]) => [place, [...new Set(others.filter((name) => names.has(name)))]]),
+    );
+  }
+
   /** Follows what is shown. */
   follow(story) {
     clearTimeout(this.wish);
@@ -40,9 +57,18 @@ class Address {
 
   of(story) {
     const run = this.stories.data.length > 1 ? story.title : "";
-    const parts = [String(story.cursor), story.selected === null ? "" : story.selected.name, run];
-    return parts.map(encodeURIComponent).join("/").replace(/\/+$/, "");
+    const { folded, orders } = this.stories.arrangement;
+    const parts = [
+      ...[String(story.cursor), story.selected === null ? "" : story.selected.name, run].map(encodeURIComponent),
+      listed([...folded]),
+      [...orders].filter(([, names]) => names.length > 0).map(([place, names]) => listed([place, ...names])).join(";"),
+    ];
+    return parts.join("/").replace(/\/+$/, "");
   }
+}
+
+function listed(names) {
+  return names.map(encodeURIComponent).join(",");
 }
 
 function decoded(part) {

@@ -18,6 +18,16 @@ class Arrangement {
   constructor() {
     this.folded = new Set();
     this.orders = new Map();
+    this.changed = () => {};
+  }
+
+  /** Arranges anew; false where nothing is said and nothing was. */
+  set(folded, orders) {
+    const isSaid = folded.length > 0 || orders.length > 0;
+    const was = this.folded.size > 0 || this.orders.size > 0;
+    this.folded = new Set(folded);
+    this.orders = new Map(orders);
+    return isSaid || was;
   }
 
   /** In the order that somebody gave them; what came later stands behind. */
@@ -104,6 +114,7 @@ class Rows {
       folded.delete(box.dataset.name);
     }
     this.mark(box, isFolded);
+    this.arrangement.changed();
     this.redraw();
   }
 
@@ -152,6 +163,7 @@ class Rows {
     this.arrangement.orders.set(name, rows);
     const groups = children.filter((each) => each.matches(".group-box")).map((box) => box.dataset.name);
     this.arrangement.orders.set(name === "" ? "" : name + "/", groups);
+    this.arrangement.changed();
   }
 
   /** A row is dragged: it goes where the pointer is, among the rows of its group. */

@@ -172,6 +172,7 @@ class Stories {
     this.data = data;
     this.colours = colours;
     this.arrangement = new Arrangement();
+    this.arrangement.changed = () => this.moved();
     this.place = document.getElementById("story");
     this.list = document.getElementById("stories");
     const first = data.findIndex((story) => story.tone === "bad");

@@ -18,7 +18,7 @@ class Happenings {
     this.rows = events.map((event) => {
       const row = button("", "Go to " + seconds(event.t), () => go(event.t));
       row.removeAttribute("aria-label");
-      row.append(element("span", { class: "when" }, seconds(event.t)), element("span", {}, event.who + " " + TELL[event.what](event)));
+      row.append(element("span", { class: "when" }, seconds(event.t)), element("span", {}, told(event)));
       return element("li", { class: BAD.has(event.what) ? "bad" : null }, row);
     });
     this.list = element("ol", {}, ...this.rows);
@@ -39,12 +39,21 @@ class Happenings {
     }
   }
 
+  /** What has happened last; nothing before the first event. */
+  get words() {
+    return this.last < 0 ? "" : told(this.events[this.last]);
+  }
+
   /** The moment of the next event, or of the one before. */
   neighbour(time, direction) {
     const times = this.events.map((event) => event.t);
     const found = direction > 0 ? times.find((t) => t > time) : times.filter((t) => t < time).pop();
     return found === undefined ? time : found;
   }
+}
+
+function told(event) {
+  return event.who + " " + TELL[event.what](event);
 }
 
 function seconds(milliseconds) {

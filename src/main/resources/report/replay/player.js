@@ -66,6 +66,15 @@ class Player {
     this.show(this.time);
   }
 
+  /** What a screen reader says of the moment, besides its time. */
+  tell(words) {
+    const text = this.clock.textContent + (words === "" ? "" : ": " + words);
+    if (text !== this.told) {
+      this.told = text;
+      this.slider.setAttribute("aria-valuetext", text);
+    }
+  }
+
   setSpeed(speed) {
     this.speed = speed;
     this.chooser.value = String(speed);

@@ -15,6 +15,7 @@ class Stage {
     this.floor.show(time);
     this.cards.show(time);
     this.happenings.show(time);
+    this.player.tell(this.happenings.words);
     this.beside(time);
   }
 

@@ -479,4 +479,107 @@ class ResultPagesTest {
         assertThat(page.stories().get(1).headline()).startsWith("unknown: ");
         assertThat(page.stories().get(1).timeline().flaws()).isEmpty();
     }
+
+    /**
+     * A chain of two parts, the first of which may send either message: only the second alternative
+     * leads to what the promise forbids, which is seen one slice after it was sent.
+     */
+    private static final String CHAIN =
+            """
+            component Chain PROMISE {
+              port in Boolean go, out Boolean on;
+              INVARIANT
+              component Maybe {
+                timing instant;
+                port in Boolean go, out Boolean said;
+                <<completion = "ignore">> automaton {
+                  state calm, loud;
+                  initial calm;
+                  calm {go == true} / {said = false};
+                  calm -> loud {go == true} / {said = true};
+                }
+              }
+              component Maybe maybe;
+              component Repeat {
+                port in Boolean i, out Boolean o;
+                <<completion = "ignore">> automaton {
+                  state s;
+                  initial s / {o = false};
+                  s {i == true} / {o = true};
+                }
+              }
+              component Repeat repeat;
+              connect go -> maybe.go;
+              connect maybe.said -> repeat.i;
+              connect repeat.o -> on;
+            }
+            """;
+
+    private void never() throws IOException {
+        write(
+                "Never.arc",
+                """
+                component Never {
+                  port in Boolean go, out Boolean on;
+                  <<completion = "ignore">> automaton { state n; initial n / {on = false}; }
+                }
+                """);
+    }
+
+    @Test
+    void aCounterexampleTellsWhatPartsSend() throws Exception {
+        never();
+        write("Chain.arc", CHAIN.replace("PROMISE", "refines Never").replace("INVARIANT", ""));
+        Story story = firstVerdict();
+        assertThat(texts(track(story, "on"))).containsExactly("false", "true");
+        assertThat(texts(track(story, "left is")))
+                .containsExactly("maybe: calm, repeat: s", "maybe: loud, repeat: s");
+        assertThat(track(story, "maybe.said").group()).isEqualTo(Track.PART + "maybe");
+        assertThat(texts(track(story, "maybe.said"))).containsExactly("-", "true");
+        assertThat(texts(track(story, "repeat.o"))).containsExactly("false", "true");
+        assertThat(texts(track(story, "maybe"))).containsExactly("calm", "loud");
+        assertThat(elements(track(story, "maybe because")))
+                .containsExactly(List.of(), List.of("transition 1"));
+        assertThat(story.drawings())
+                .extracting(Drawing::title)
+                .containsExactly("left: Chain", "left: maybe", "left: repeat", "right: Never");
+        assertThat(story.drawings().get(0).carried())
+                .containsEntry("maybe.said", "maybe.said")
+                .containsEntry("repeat.i", "maybe.said")
+                .containsEntry("on", "on");
+    }
+
+    /** Of an invariant a step is a slice: what is sent with delay stands where it is seen. */
+    @Test
+    void aBrokenInvariantTellsWhatPartsSend() throws Exception {
+        write(
+                "Chain.arc",
+                CHAIN.replace("PROMISE", "").replace("INVARIANT", "inv off: (on == --) || !on;"));
+        Story story = firstVerdict();
+        assertThat(texts(track(story, "on"))).containsExactly("false", "true");
+        assertThat(texts(track(story, "maybe.said"))).containsExactly("true", "-");
+        assertThat(texts(track(story, "repeat.o"))).containsExactly("false", "true");
+        assertThat(texts(track(story, "maybe"))).containsExactly("loud", "loud");
+        assertThat(story.drawings())
+                .extracting(Drawing::title)
+                .containsExactly("Chain", "maybe", "repeat");
+    }
+
+    /** The interpreter sends nothing where all is allowed: it shows no run like this one. */
+    @Test
+    void nothingIsToldOfPartsWhereNoRunIsFound() throws Exception {
+        never();
+        String open =
+                CHAIN.replace("\"ignore\"", "\"output\"").replace("{i == true}", "{i == false}");
+        write("Chain.arc", open.replace("PROMISE", "refines Never").replace("INVARIANT", ""));
+        Story story = firstVerdict();
+        assertThat(story.timeline().flaws()).hasSize(1);
+        assertThat(story.timeline().tracks())
+                .extracting(Track::group)
+                .noneMatch(group -> group.startsWith(Track.PART));
+        assertThat(story.drawings())
+                .extracting(Drawing::title)
+                .containsExactly("left: Chain", "right: Never");
+        assertThat(story.drawings().get(0).carried()).isEmpty();
+    }
 }

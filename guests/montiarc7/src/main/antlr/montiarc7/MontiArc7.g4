@@ -21,6 +21,7 @@ argument: (name '=')? expression;
 element
     : component                                                             # innerElement
     | stereo* 'port' portDeclaration (',' portDeclaration)* ';'             # portsElement
+    | mark* 'mode' 'automaton' name? '{' 'initial' 'mode' name '{' element* '}' ';'? '}' # soleModeElement
     | mark* 'mode' 'automaton' name? skipped                                # modesElement
     | mark* 'automaton' name? '{' machineElement* '}'                       # automatonElement
     | mark* 'compute' block                                                 # computeElement
@@ -66,13 +67,25 @@ statement
     | 'if' '(' expression ')' statement ('else' statement)?                  # ifStatement
     | 'switch' '(' expression ')' '{' switchCase* '}'                        # switchStatement
     | 'break' ';'                                                            # breakStatement
-    | loop=('for' | 'while' | 'return' | 'try' | 'throw' | 'assert') .*? (skipped | ';')  # otherStatement
+    | 'continue' ';'                                                         # continueStatement
+    | 'for' '(' 'final'? type name ':' expression ')' statement              # eachStatement
+    | 'for' '(' loopStart? ';' expression? ';' (change (',' change)*)? ')' statement     # forStatement
+    | 'while' '(' expression ')' statement                                   # whileStatement
+    | 'do' statement 'while' '(' expression ')'                              # doStatement
+    | ('return' | 'try' | 'throw' | 'assert') .*? (skipped | ';')            # otherStatement
     | expression assign=('=' | '+=' | '-=' | '*=' | '/=' | '%=') expression ';'           # assignStatement
+    | expression '=' (expression step=('++' | '--') | before=('++' | '--') expression) ';' # assignStepStatement
     | expression step=('++' | '--') ';'                                            # stepStatement
     | step=('++' | '--') expression ';'                                            # stepStatement
     | 'final'? type variable (',' variable)* ';'                             # localStatement
     | expression ';'                                                         # callStatement
     | ';'                                                                    # emptyStatement
+    ;
+loopStart: 'final'? type variable (',' variable)* | change (',' change)*;
+change
+    : expression assign=('=' | '+=' | '-=' | '*=' | '/=' | '%=') expression
+    | expression step=('++' | '--')
+    | step=('++' | '--') expression
     ;
 switchCase: ('case' expression | 'default') ':' statement*;
 skipped: '{' (skipped | ~('{' | '}'))* '}';
@@ -90,7 +103,7 @@ expression
     | '(' type ')' expression                                                # castExpression
     | expression op=('*' | '/' | '%') expression                             # binaryExpression
     | expression op=('+' | '-') expression                                   # binaryExpression
-    | expression ('<' '<' | '>' '>' | '>' '>' '>') expression                # shiftExpression
+    | expression shift expression                                            # shiftExpression
     | expression op=('<=' | '>=' | '<' | '>') expression                     # binaryExpression
     | expression op=('==' | '!=') expression                                 # binaryExpression
     | expression op='&' expression                                           # bitExpression
@@ -101,6 +114,7 @@ expression
     | expression op=('implies' | '<=>') expression                           # binaryExpression
     | <assoc = right> expression '?' expression ':' expression               # choiceExpression
     ;
+shift: '<' '<' | '>' '>' | '>' '>' '>';
 literal: Number | Text | Letter | 'true' | 'false' | 'null';
 
 // Words that are names elsewhere.

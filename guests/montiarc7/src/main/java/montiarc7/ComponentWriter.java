@@ -20,6 +20,7 @@ import montiarc7.MontiArc7Parser.NameContext;
 import montiarc7.MontiArc7Parser.ParameterContext;
 import montiarc7.MontiArc7Parser.PortDeclarationContext;
 import montiarc7.MontiArc7Parser.PortsElementContext;
+import montiarc7.MontiArc7Parser.SoleModeElementContext;
 import montiarc7.MontiArc7Parser.TypeParameterContext;
 import montiarc7.MontiArc7Parser.VariationElementContext;
 import montiarc7.Placed.Side;
@@ -56,8 +57,8 @@ final class ComponentWriter {
         this.types = types;
         this.lacks = lacks;
         this.variants = new Variants(component, lacks);
-        this.features = new Features(component, lacks);
-        this.switches = new Switches(component);
+        this.features = new Features(component, folder, lacks);
+        this.switches = new Switches(component, folder);
         types.enter(component);
         this.scope = scope(List.of());
     }
@@ -69,6 +70,9 @@ final class ComponentWriter {
                 folder.ports(component, "in", sides),
                 folder.ports(component, "out", sides),
                 Set.of(),
+                Known.NOTHING,
+                Declared.in(component, sides),
+                variants.isByEvents(sides),
                 lacks);
     }
 
@@ -127,7 +131,7 @@ final class ComponentWriter {
         if (!component.parent().isEmpty()) {
             var parent = component.parent(0);
             if (folder.component(parent.type().qname().getText())
-                    .filter(ComponentWriter::hasSwitches)
+                    .filter(this::hasSwitches)
                     .isPresent()) {
                 lacks.missing(
                         Lack.VARIABILITY,
@@ -142,13 +146,16 @@ final class ComponentWriter {
         head.append(" {\n");
         if (!switches.names().isEmpty()) {
             String all = String.join(", ", new TreeSet<>(switches.names()));
-            head.append("feature ").append(all).append(";\n");
+            head.append("feature ").append(all).append(";\n").append(switches.constraints());
+        }
+        if (!features.open().isEmpty()) {
+            head.append("feature ").append(String.join(", ", features.open())).append(";\n");
         }
         return head.toString();
     }
 
-    private static boolean hasSwitches(ComponentContext component) {
-        return !new Switches(component).names().isEmpty();
+    private boolean hasSwitches(ComponentContext component) {
+        return !new Switches(component, folder).names().isEmpty();
     }
 
     private String parameter(ParameterContext parameter) {
@@ -198,6 +205,8 @@ final class ComponentWriter {
             return variation(variation, sides);
         } else if (element instanceof GroupElementContext group) {
             return elements(group.element(), sides);
+        } else if (element instanceof SoleModeElementContext mode) {
+            return elements(mode.element(), sides);
         } else if (element instanceof FeatureElementContext feature) {
             return feature.name().stream()
                     .map(ParseTree::getText)
@@ -298,7 +307,7 @@ final class ComponentWriter {
     }
 
     private String inner(ComponentContext inner) {
-        if (!Features.of(inner).isEmpty() || hasSwitches(inner)) {
+        if (!OpenFeatures.declared(inner).isEmpty() || hasSwitches(inner)) {
             lacks.missing(
                     Lack.VARIABILITY,
                     inner.name(0),

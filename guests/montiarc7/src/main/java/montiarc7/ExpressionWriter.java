@@ -11,9 +11,12 @@ import montiarc7.MontiArc7Parser.MemberExpressionContext;
 import montiarc7.MontiArc7Parser.NameExpressionContext;
 import montiarc7.MontiArc7Parser.PrefixExpressionContext;
 
+import org.antlr.v4.runtime.ParserRuleContext;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /** Expressions in Arcomat's words, and which input ports they read. */
@@ -32,10 +35,14 @@ class ExpressionWriter {
     }
 
     String write(ExpressionContext expression) {
+        return new Bits(scope, this).write(expression).orElseGet(() -> plain(expression));
+    }
+
+    private String plain(ExpressionContext expression) {
         if (expression instanceof LiteralExpressionContext literal) {
             return literal.getText().equals("null") ? "--" : literal.getText();
         } else if (expression instanceof NameExpressionContext name) {
-            return port(name.getText());
+            return scope.known().text(name.getText()).orElseGet(() -> port(name.getText()));
         } else if (expression instanceof BracketExpressionContext bracket) {
             return "(" + write(bracket.expression()) + ")";
         } else if (expression instanceof PrefixExpressionContext prefix
@@ -115,7 +122,48 @@ class ExpressionWriter {
         if (scope.types().refersToEnum(owner)) {
             return owner.substring(owner.lastIndexOf('.') + 1) + "." + member.name().getText();
         }
-        return owner.equals("this") ? member.name().getText() : unknown(member);
+        if (owner.equals("this")) {
+            return member.name().getText();
+        }
+        return type(member).isPresent() && scope.types().given().stream().noneMatch(this::isObject)
+                ? write(member.expression()) + "." + member.name().getText()
+                : unknown(member);
+    }
+
+    /**
+     * The type of what is named, where it is an object of a class diagram or an attribute of one.
+     */
+    private Optional<String> type(ExpressionContext expression) {
+        if (expression instanceof NameExpressionContext) {
+            return declared(expression.getText());
+        } else if (expression instanceof MemberExpressionContext member) {
+            String name = member.name().getText();
+            return member.expression().getText().equals("this")
+                    ? declared(name)
+                    : type(member.expression())
+                            .flatMap(each -> scope.types().attribute(each, name));
+        }
+        return Optional.empty();
+    }
+
+    private Optional<String> declared(String name) {
+        return Optional.ofNullable(scope.declared().get(name)).map(ParserRuleContext::getText);
+    }
+
+    /**
+     * Whether a method that gets it may change what is in an object, by this name or another one.
+     */
+    private boolean isObject(ExpressionContext given) {
+        Optional<String> type = type(given);
+        boolean isNamed =
+                given instanceof NameExpressionContext || given instanceof MemberExpressionContext;
+        return isNamed
+                && type.map(each -> !scope.types().isValue(each)).orElse(!isConstantText(given));
+    }
+
+    /** A constant of an enumeration, or what a class holds. */
+    private static boolean isConstantText(ExpressionContext given) {
+        return Character.isUpperCase(given.getText().codePointAt(0));
     }
 
     final String unknown(ExpressionContext expression) {

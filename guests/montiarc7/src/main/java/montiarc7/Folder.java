@@ -27,8 +27,18 @@ final class Folder {
     private static final Pattern TYPE =
             Pattern.compile("\\b(?:enum|class|interface|type)\\s+(\\w+)");
 
+    private static final Pattern ENUM = Pattern.compile("\\benum\\s+(\\w+)[^{}]*\\{\\s*([^;}]*)");
+
     /** Full names of class diagrams, with the types in them. */
     private final Map<String, Set<String>> diagrams = new LinkedHashMap<>();
+
+    /**
+     * Constants of enumerations, by simple names; several lists where enumerations share a name.
+     */
+    private final Map<String, Set<List<String>>> constants = new HashMap<>();
+
+    /** By simple names; several where classes share a name. */
+    private final Map<String, Set<ClassText>> classes = new HashMap<>();
 
     private final Map<String, ComponentContext> components = new HashMap<>();
     private final Set<String> packages = new HashSet<>();
@@ -49,7 +59,40 @@ final class Folder {
             types.add(type.group(1));
         }
         diagrams.put(full, types);
+        ClassText.of(code)
+                .forEach(
+                        (each, found) ->
+                                classes.computeIfAbsent(each, all -> new HashSet<>()).add(found));
+        Matcher enumeration = ENUM.matcher(code.replaceAll("\\([^()]*\\)", ""));
+        while (enumeration.find()) {
+            constants
+                    .computeIfAbsent(enumeration.group(1), each -> new HashSet<>())
+                    .add(List.of(enumeration.group(2).trim().split("\\s*,\\s*")));
+        }
         return Optional.of(full);
+    }
+
+    /**
+     * The type of an attribute of a class, or of one that it extends; nothing where several classes
+     * have this simple name.
+     */
+    Optional<String> attribute(String simple, String attribute) {
+        Set<String> seen = new HashSet<>();
+        String at = simple;
+        while (seen.add(at) && classes.getOrDefault(at, Set.of()).size() == 1) {
+            ClassText text = classes.get(at).iterator().next();
+            if (text.attributes().containsKey(attribute)) {
+                return Optional.of(text.attributes().get(attribute));
+            }
+            at = text.parent();
+        }
+        return Optional.empty();
+    }
+
+    /** All constants of an enumeration; nothing where several have this simple name. */
+    Optional<List<String>> constants(String simple) {
+        Set<List<String>> all = constants.getOrDefault(simple, Set.of());
+        return all.size() == 1 ? Optional.of(all.iterator().next()) : Optional.empty();
     }
 
     void addComponent(String packageName, ComponentContext component) {

@@ -1,6 +1,7 @@
 package montiarc7;
 
 import montiarc7.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.MontiArc7Parser.BitExpressionContext;
 import montiarc7.MontiArc7Parser.BracketExpressionContext;
 import montiarc7.MontiArc7Parser.CallExpressionContext;
 import montiarc7.MontiArc7Parser.ExpressionContext;
@@ -153,7 +154,8 @@ final class Guards {
         if (plain(part) instanceof BinaryExpressionContext binary) {
             return binary.op.getText().matches("\\|\\||&&|implies|<=>");
         }
-        return plain(part) instanceof MontiArc7Parser.ChoiceExpressionContext;
+        return plain(part) instanceof BitExpressionContext
+                || plain(part) instanceof MontiArc7Parser.ChoiceExpressionContext;
     }
 
     /** Whether two guards are evidently never true together. */

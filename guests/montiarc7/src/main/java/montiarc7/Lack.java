@@ -17,7 +17,8 @@ enum Lack {
     MAP("MONT0013"),
     MAP_NOTE("MONT0014"),
     OUTSIDE("MONT0015"),
-    UNCHECKED("MONT0016");
+    UNCHECKED("MONT0016"),
+    OPEN("MONT0017");
 
     private final String code;
 

@@ -21,8 +21,7 @@ final class Lacks {
     private final SourceFile file;
     private final Transcription transcription;
     private final Set<Told> notes = new LinkedHashSet<>();
-    private Told first;
-    private int count;
+    private final Set<Told> missing = new LinkedHashSet<>();
 
     Lacks(SourceFile file, Transcription transcription) {
         this.file = file;
@@ -39,8 +38,13 @@ final class Lacks {
         return !FLOATING.matcher(file.text()).find();
     }
 
+    /** Whether the file has a word. */
+    boolean says(String word) {
+        return Pattern.compile("\\b" + Pattern.quote(word) + "\\b").matcher(file.text()).find();
+    }
+
     boolean isAny() {
-        return first != null;
+        return !missing.isEmpty();
     }
 
     Span whole() {
@@ -52,10 +56,7 @@ final class Lacks {
     }
 
     void missing(Lack lack, Span place, String message) {
-        count++;
-        if (first == null) {
-            first = new Told(lack, place, message);
-        }
+        missing.add(new Told(lack, place, message));
     }
 
     /** Says what somebody has to know of a file that is converted. */
@@ -65,12 +66,14 @@ final class Lacks {
 
     /** Whether the file cannot be converted; this is told once. */
     boolean tell() {
-        if (first == null) {
+        if (missing.isEmpty()) {
             notes.forEach(
                     each -> transcription.note(each.lack().code(), each.place(), each.message()));
             notes.clear();
             return false;
         }
+        Told first = missing.iterator().next();
+        int count = missing.size();
         String more =
                 count == 1 ? "" : "; there is more that cannot be converted (" + count + " in all)";
         transcription.missing(first.lack().code(), first.place(), first.message() + more);

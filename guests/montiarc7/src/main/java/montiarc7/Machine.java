@@ -117,6 +117,17 @@ final class Machine {
         return states.stream().filter(each -> each.first().isEmpty()).toList();
     }
 
+    /** Whether actions of states are done when it begins, and none in the slices afterwards. */
+    boolean isBusyAtStartOnly() {
+        List<State> begun = initial().map(Machine::beginning).orElse(List.of());
+        return begun.stream().noneMatch(each -> each.actions.containsKey("do"))
+                && begun.stream()
+                        .anyMatch(
+                                each ->
+                                        each.beginning().isPresent()
+                                                || each.actions.containsKey("entry"));
+    }
+
     Optional<State> initial() {
         return states.stream()
                 .filter(each -> each.around.isEmpty() && each.isInitial())

@@ -78,7 +78,7 @@ final class MachineWriter {
      */
     private boolean entriesAreSeen(List<ParserRuleContext> entries) {
         ActionWriter writer = new ActionWriter(scope);
-        if (entries.stream().allMatch(each -> writer.sends(each).isEmpty())) {
+        if (entries.stream().allMatch(each -> !writer.sends(each))) {
             return false;
         }
         String guards =

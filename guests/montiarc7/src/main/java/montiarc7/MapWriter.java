@@ -10,7 +10,6 @@ import montiarc7.MontiArc7Parser.MemberExpressionContext;
 import montiarc7.MontiArc7Parser.NameExpressionContext;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -126,7 +125,7 @@ final class MapWriter {
         private final MapSide other;
 
         Writer(Set<String> ports, MapSide side, MapSide other) {
-            super(new Scope(null, ports, Set.of(), new HashSet<>(), lacks));
+            super(Scope.ofPorts(ports, lacks));
             this.side = side;
             this.other = other;
         }

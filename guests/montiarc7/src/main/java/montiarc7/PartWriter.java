@@ -27,14 +27,17 @@ final class PartWriter {
         Optional<ComponentContext> known = folder.component(parts.type().qname().getText());
         StringBuilder written = new StringBuilder();
         for (InstanceContext each : parts.instance()) {
-            ArgumentsContext own = each.arguments() == null ? parts.arguments() : each.arguments();
+            ArgumentsContext own = OpenFeatures.arguments(parts, each);
             String name = each.name().getText();
-            List<String> given = arguments(own, known.map(Switches::new));
+            List<String> given =
+                    arguments(own, known.map(component -> new Switches(component, folder)));
             known.ifPresent(
                     component -> given.addAll(features.arguments(name, component, own, each)));
             written.append("component ").append(type).append(inBrackets(given));
             written.append(' ').append(name).append(";\n");
         }
+        features.constraints(parts)
+                .forEach(each -> written.append("constraint (").append(each).append(");\n"));
         return written.toString();
     }
 

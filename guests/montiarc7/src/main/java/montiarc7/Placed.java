@@ -2,6 +2,7 @@ package montiarc7;
 
 import montiarc7.MontiArc7Parser.ElementContext;
 import montiarc7.MontiArc7Parser.GroupElementContext;
+import montiarc7.MontiArc7Parser.SoleModeElementContext;
 import montiarc7.MontiArc7Parser.VariationElementContext;
 
 import java.util.ArrayList;
@@ -35,6 +36,8 @@ record Placed(ElementContext element, List<Side> sides) {
         for (ElementContext each : elements) {
             if (each instanceof GroupElementContext group) {
                 collect(group.element(), sides, all);
+            } else if (each instanceof SoleModeElementContext mode) {
+                collect(mode.element(), sides, all);
             } else if (each instanceof VariationElementContext variation) {
                 collect(List.of(variation.element(0)), and(sides, variation, true), all);
                 if (variation.element().size() > 1) {

@@ -8,7 +8,6 @@ import montiarc7.MontiArc7Parser.StatementContext;
 import org.antlr.v4.runtime.ParserRuleContext;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
@@ -25,9 +24,7 @@ final class StartWriter {
     String write(List<ParserRuleContext> actions) {
         List<StatementContext> kept = new ArrayList<>();
         actions.forEach(each -> keep(each, kept));
-        Scope quiet =
-                new Scope(scope.types(), scope.inputs(), delayed, new HashSet<>(), scope.lacks());
-        return new ActionWriter(quiet).write(kept);
+        return new ActionWriter(scope.atStart(delayed)).write(kept);
     }
 
     private void keep(ParserRuleContext action, List<StatementContext> kept) {

@@ -22,6 +22,11 @@ final class Timing {
     private boolean ticks;
     private boolean events;
 
+    /** Whether something is done at the start, and nothing else ever. */
+    private boolean isStartOnly;
+
+    private boolean isSynchronous;
+
     /**
      * @param elements those of the component that are there together
      */
@@ -29,8 +34,8 @@ final class Timing {
         for (ElementContext element : elements) {
             add(element, lacks);
         }
-        boolean synchronous = words.contains("sync") || words.contains("instant");
-        if (events && (ticks || synchronous)) {
+        isSynchronous = words.contains("sync") || words.contains("instant");
+        if (events && (ticks || isSynchronous)) {
             lacks.missing(
                     Lack.TICKS_AND_EVENTS,
                     component.name(0),
@@ -54,6 +59,7 @@ final class Timing {
                 events |= isEvent;
                 ticks |= !isEvent;
             }
+            isStartOnly = machine.transitions().isEmpty() && machine.isBusyAtStartOnly();
         }
     }
 
@@ -89,7 +95,8 @@ final class Timing {
 
     /** Whether steps are events; slices else. */
     boolean isByEvents() {
-        return events || words.contains("untimed") && !ticks;
+        boolean isUntimed = words.contains("untimed") || isStartOnly && !isSynchronous;
+        return events || isUntimed && !ticks;
     }
 
     boolean isDelayed(String port) {

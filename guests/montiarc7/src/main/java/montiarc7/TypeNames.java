@@ -1,11 +1,18 @@
 package montiarc7;
 
+import montiarc7.MontiArc7Parser.CallExpressionContext;
 import montiarc7.MontiArc7Parser.ComponentContext;
+import montiarc7.MontiArc7Parser.ExpressionContext;
 import montiarc7.MontiArc7Parser.ImportingContext;
+import montiarc7.MontiArc7Parser.NewExpressionContext;
 import montiarc7.MontiArc7Parser.TypeContext;
 import montiarc7.MontiArc7Parser.UnitContext;
 
+import org.antlr.v4.runtime.ParserRuleContext;
+
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -42,6 +49,10 @@ final class TypeNames {
     private final Set<String> parameters = new HashSet<>();
     private final Set<String> inner = new HashSet<>();
     private final Set<String> noted = new HashSet<>();
+
+    /** What is given to methods, which may change what is in it. */
+    private final List<ExpressionContext> given = new ArrayList<>();
+
     private final Set<String> imports = new TreeSet<>();
 
     TypeNames(UnitContext unit, Folder folder, Lacks lacks) {
@@ -81,6 +92,37 @@ final class TypeNames {
                 .filter(MontiArc7Parser.InnerElementContext.class::isInstance)
                 .map(MontiArc7Parser.InnerElementContext.class::cast)
                 .forEach(each -> inner.add(each.component().name(0).getText()));
+        collectGiven(component);
+    }
+
+    private void collectGiven(ParserRuleContext tree) {
+        for (var child : tree.children) {
+            if (child instanceof ParserRuleContext inner && inner.children != null) {
+                boolean isArgument =
+                        child instanceof ExpressionContext
+                                && child != tree.getChild(0)
+                                && (tree instanceof CallExpressionContext
+                                        || tree instanceof NewExpressionContext);
+                if (isArgument && !tree.getChild(0).getText().endsWith(".equals")) {
+                    given.add((ExpressionContext) child);
+                }
+                collectGiven(inner);
+            }
+        }
+    }
+
+    /** What methods get. */
+    List<ExpressionContext> given() {
+        return given;
+    }
+
+    /**
+     * Whether it is of a type of which nobody can change what is in it: a number, a text, a
+     * constant.
+     */
+    boolean isValue(String type) {
+        String simple = ClassText.simple(type);
+        return OWN.containsKey(simple) || folder.constants(simple).isPresent();
     }
 
     Set<String> imports() {
@@ -165,7 +207,19 @@ final class TypeNames {
         return imports.stream().filter(each -> each.endsWith("." + name)).findFirst().orElse(name);
     }
 
-    /** Whether a name stands for a type of a class diagram, which is imported then. */
+    /** The type of an attribute that objects of some type have; nothing where they have none. */
+    Optional<String> attribute(String type, String attribute) {
+        return isType(type)
+                ? folder.attribute(ClassText.simple(type), attribute)
+                : Optional.empty();
+    }
+
+    /** Whether a name stands for a type of a class diagram. */
+    boolean isType(String name) {
+        return diagram(name).isPresent();
+    }
+
+    /** The same; it is imported then. */
     boolean refersToEnum(String name) {
         Optional<String> known = diagram(name);
         String plain = name.substring(name.lastIndexOf('.') + 1);

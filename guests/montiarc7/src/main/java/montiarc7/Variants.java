@@ -93,13 +93,14 @@ final class Variants {
         return said.contains(true);
     }
 
-    /** Output ports that send one slice later in what is there together. */
+    /**
+     * Output ports that send before the first input, in what is there together: all of them by
+     * events.
+     */
     Set<String> late(Set<String> outputs, List<Side> sides) {
         Timing timing = timing(sides, lacks.unheard());
-        Set<String> late = new HashSet<>();
-        if (!timing.isByEvents()) {
-            outputs.stream().filter(timing::isDelayed).forEach(late::add);
-        }
+        Set<String> late = new HashSet<>(outputs);
+        late.removeIf(each -> !timing.isByEvents() && !timing.isDelayed(each));
         return late;
     }
 

@@ -15,10 +15,8 @@ component Press(Integer most = 5) {
         <<completion = "ignore">> compute {
             if (weight > most) {
                 pressed = most;
-            } else {
-                if (weight != --) {
-                    pressed = weight;
-                }
+            } else if (weight != --) {
+                pressed = weight;
             }
         }
     } else {

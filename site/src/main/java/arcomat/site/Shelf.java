@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** Models that others may refer to: those of the model library and of the case study. */
 record Shelf(List<Book> books) {
@@ -19,6 +20,9 @@ record Shelf(List<Book> books) {
      * @param folder its package; nothing if it has none
      */
     record Book(String path, String folder, String name, String text) {
+        private static final Pattern TYPE =
+                Pattern.compile("\\b(?:enum|class|interface|type)\\s+(\\w+)");
+
         static Book of(String path, String text) {
             String file = path.substring(path.lastIndexOf('/') + 1);
             return new Book(
@@ -27,11 +31,21 @@ record Shelf(List<Book> books) {
 
         /** Whether it may be the one that a text means: by its name, from where it is seen. */
         boolean isNamedBy(Book other) {
+            boolean near = folder.equals(other.folder);
             return other != this
-                    && Pattern.compile("\\b" + Pattern.quote(name) + "\\b")
-                            .matcher(other.text)
-                            .find()
-                    && (folder.equals(other.folder) || other.text.contains(folder + "."));
+                    && (near || other.text.contains(folder + "."))
+                    && (other.mentions(name) || near && types().anyMatch(other::mentions));
+        }
+
+        private boolean mentions(String word) {
+            return Pattern.compile("\\b" + Pattern.quote(word) + "\\b").matcher(text).find();
+        }
+
+        /** What a class diagram declares, which its package sees without an import. */
+        private Stream<String> types() {
+            return path.endsWith(".cd")
+                    ? TYPE.matcher(text).results().map(found -> found.group(1))
+                    : Stream.empty();
         }
     }
 

@@ -10,7 +10,8 @@ import java.util.List;
  * @param left what is to keep a promise
  * @param right what promises, or the name of the invariant; empty where that is not even known
  * @param place where the left side says that it keeps it
- * @param sides the two that were compared, left and right; empty where nothing was
+ * @param sides the two that were compared, left and right; of an invariant, the component alone;
+ *     empty where nothing was
  */
 public record Answered(
         Question question,
@@ -41,8 +42,13 @@ public record Answered(
         this(left, right, place, verdict, List.of());
     }
 
-    /** Whether an invariant is always true. */
+    /** Whether an invariant is always true; nobody could ask that of the component. */
     public static Answered ofInvariant(String left, String name, Span place, Verdict verdict) {
         return new Answered(Question.INVARIANT, left, name, place, verdict, List.of());
+    }
+
+    /** Whether an invariant is always true. */
+    public static Answered ofInvariant(Promise side, String name, Span place, Verdict verdict) {
+        return new Answered(Question.INVARIANT, side.title(), name, place, verdict, List.of(side));
     }
 }

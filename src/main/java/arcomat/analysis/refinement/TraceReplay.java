@@ -26,6 +26,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /**
  * The way of a trace through an automaton of one of its sides: the moments say in words where a
@@ -115,13 +116,25 @@ public final class TraceReplay {
         return new TraceReplay(side, automaton, Set.of()).follow(trace, each -> Optional.empty());
     }
 
+    /**
+     * What a side sends in each moment in reaction to its input, also where that stands in the
+     * moment after it. A port of which nothing is known is missing.
+     *
+     * @param sides of the comparison that the trace comes from, the left one first
+     */
+    public static List<Map<String, Sent>> reactions(
+            List<Promise> sides, int side, List<Moment> trace) {
+        Set<String> late = ComparedSystems.late(sides.get(0), sides.get(1), side == 0);
+        return IntStream.range(0, trace.size()).mapToObj(i -> shown(trace, i, late)).toList();
+    }
+
     private List<Visited> follow(
             List<Moment> trace, Function<Moment, Optional<List<String>>> words) {
         List<Visited> found = new ArrayList<>();
         Step last = null;
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
-            Map<String, Sent> shown = shown(trace, i);
+            Map<String, Sent> shown = shown(trace, i, late);
             last =
                     last == null
                             ? begin(shown, words.apply(moment))
@@ -132,7 +145,7 @@ public final class TraceReplay {
     }
 
     /** Where the reaction of a moment is seen; a late one of the last moment is not seen at all. */
-    private Map<String, Sent> shown(List<Moment> trace, int position) {
+    private static Map<String, Sent> shown(List<Moment> trace, int position, Set<String> late) {
         Map<String, Sent> shown = new HashMap<>(trace.get(position).outputs());
         shown.keySet().removeAll(late);
         if (position + 1 < trace.size()) {

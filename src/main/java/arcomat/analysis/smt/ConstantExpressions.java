@@ -117,6 +117,15 @@ record ConstantExpressions(
                 : List.of();
     }
 
+    /** Whether linear arithmetic can say what an operation on whole numbers gives. */
+    boolean isLinear(Expression.Binary binary) {
+        return switch (binary.operator()) {
+            case MULTIPLY -> !few(binary.left()).isEmpty() || !few(binary.right()).isEmpty();
+            case DIVIDE, REMAINDER -> !few(binary.right()).isEmpty();
+            default -> true;
+        };
+    }
+
     /** A constant of the component; variables of the automaton are none. */
     boolean isConstant(Variable variable) {
         return variables.stream().noneMatch(each -> each.name().equals(variable.name()));

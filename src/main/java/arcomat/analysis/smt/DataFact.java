@@ -4,6 +4,7 @@ import arcomat.model.Expression;
 import arcomat.model.Value;
 import arcomat.semantics.expression.PartialEvaluation;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
@@ -14,6 +15,9 @@ import java.util.function.UnaryOperator;
 sealed interface DataFact {
     /** A condition. */
     Expression when();
+
+    /** All that it is about, the condition first. */
+    List<Expression> expressions();
 
     /** Whether it depends on messages that are not known yet. */
     boolean isOpen();
@@ -28,6 +32,11 @@ sealed interface DataFact {
     /** Whether the condition is true. */
     record Holds(Expression when) implements DataFact {
         @Override
+        public List<Expression> expressions() {
+            return List.of(when);
+        }
+
+        @Override
         public boolean isOpen() {
             return !isKnown(when);
         }
@@ -41,6 +50,11 @@ sealed interface DataFact {
     /** Whether the condition is true, and two things that are sent then are the same message. */
     record Same(Expression when, Expression one, Expression two) implements DataFact {
         @Override
+        public List<Expression> expressions() {
+            return List.of(when, one, two);
+        }
+
+        @Override
         public boolean isOpen() {
             return !isFalse(when) && !one.equals(two) && !(isKnown(one) && isKnown(two));
         }
@@ -53,6 +67,11 @@ sealed interface DataFact {
 
     /** Whether the condition is true, and which value is stored then. */
     record Stored(Expression when, Expression value) implements DataFact {
+        @Override
+        public List<Expression> expressions() {
+            return List.of(when, value);
+        }
+
         @Override
         public boolean isOpen() {
             return !isFalse(when) && !isKnown(value);

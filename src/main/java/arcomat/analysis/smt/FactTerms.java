@@ -19,8 +19,8 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 
-/** Asks the solver for messages that show something of some facts that was not met before. */
-final class FactTerms {
+/** Facts in linear arithmetic: what it cannot say is an unknown value, about which it may learn. */
+final class FactTerms implements FactSolver {
     /** So often the solver is told of products. */
     private static final int LESSONS = 40;
 
@@ -55,8 +55,8 @@ final class FactTerms {
         }
     }
 
-    /** Messages that show just this are of no interest any more. */
-    void exclude(List<Optional<Value>> shown) {
+    @Override
+    public void exclude(List<Optional<Value>> shown) {
         List<Term> agree = new ArrayList<>();
         for (int i = 0; i < shown.size(); i++) {
             agree.add(agrees(facts.get(i), shown.get(i)));
@@ -94,12 +94,8 @@ final class FactTerms {
         return solver.equal(translation.term(one), translation.term(two));
     }
 
-    /**
-     * Other messages, one by port; empty where it is proved that there are none.
-     *
-     * @throws GivenUp where the solver does not know
-     */
-    Optional<Value[]> another() {
+    @Override
+    public Optional<Value[]> another() {
         List<Value[]> found = new ArrayList<>();
         Solver.Answer answer =
                 lesson.isEmpty()
@@ -144,13 +140,9 @@ final class FactTerms {
         return codes.decode(inputs.message(port), port.type());
     }
 
-    /**
-     * What the solver took for possible is not so: some operation has another result. Tells it of
-     * the products that it got wrong.
-     *
-     * @throws GivenUp where it cannot be told, or has been told often enough
-     */
-    void learn(Value[] example) {
+    /** Tells the solver of the products that it got wrong, but not for ever. */
+    @Override
+    public void learn(Value[] example) {
         lesson = ++lessons > LESSONS ? List.of() : translation.learn(scope, example);
         if (lesson.isEmpty()) {
             throw inexact();

@@ -9,10 +9,8 @@ import arcomat.semantics.expression.Term;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -80,24 +78,12 @@ public final class MessageExamples {
     }
 
     /**
-     * Of letters that some steps tell apart.
+     * Examples for open ports, about which there are facts.
      *
      * @param stop asked now and then, whether to give up
      */
-    public static Source of(List<DataStep> steps, BooleanSupplier stop) {
-        Map<List<Object>, Rows> known = new HashMap<>();
-        List<DataFact> all = DataStep.facts(steps);
-        Remainders remainders = new Remainders();
-        return (letter, open) -> {
-            List<DataFact> facts =
-                    all.stream()
-                            .map(fact -> fact.with(e -> remainders.of(e, letter)))
-                            .filter(DataFact::isOpen)
-                            .distinct()
-                            .toList();
-            return known.computeIfAbsent(
-                    List.of(open, facts), each -> new MessageExamples(open, facts, stop).found());
-        };
+    static Rows of(List<Port> open, List<DataFact> facts, BooleanSupplier stop) {
+        return new MessageExamples(open, facts, stop).found();
     }
 
     private static Look look(DataFact fact, Scope scope) {
@@ -142,25 +128,54 @@ public final class MessageExamples {
         for (Value[] row : new SmallExamples(ports, facts).rows()) {
             add(row);
         }
-        FactTerms terms = new FactTerms(ports, facts, stop);
         try {
-            insist();
-            met.forEach(terms::exclude);
-            Optional<Value[]> next = terms.another();
-            while (next.isPresent()) {
-                if (add(next.get())) {
-                    terms.exclude(shown(next.get()));
-                    insist();
-                } else {
-                    terms.learn(next.get());
-                }
-                next = terms.another();
-            }
+            settle();
             return new Rows(examples, Optional.empty());
         } catch (GivenUp reason) {
             return new Rows(
                     examples.subList(0, Math.min(SOME, examples.size())),
                     Optional.of(String.valueOf(reason.getMessage())));
+        }
+    }
+
+    /** What bits are better for, they are asked about first, and about the rest last. */
+    private void settle() {
+        boolean bitsFirst = FactBits.areFor(facts);
+        if (bitsFirst && isSettledInBits()) {
+            return;
+        }
+        try {
+            insist();
+            settle(new FactTerms(ports, facts, stop));
+        } catch (GivenUp reason) {
+            if (bitsFirst || !isSettledInBits()) {
+                throw reason;
+            }
+        }
+    }
+
+    private boolean isSettledInBits() {
+        try {
+            insist();
+            settle(new FactBits(ports, facts, stop));
+            return true;
+        } catch (GivenUp hard) {
+            return false;
+        }
+    }
+
+    /** Until there is no further way in which facts can be so or not. */
+    private void settle(FactSolver solver) {
+        met.forEach(solver::exclude);
+        Optional<Value[]> next = solver.another();
+        while (next.isPresent()) {
+            if (add(next.get())) {
+                solver.exclude(shown(next.get()));
+                insist();
+            } else {
+                solver.learn(next.get());
+            }
+            next = solver.another();
         }
     }
 

@@ -1,10 +1,8 @@
 package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
-import arcomat.model.Port;
 import arcomat.semantics.expression.PartialEvaluation;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -18,28 +16,16 @@ final class Remainders {
     /**
      * @param known what is left, by what is known of the ports
      */
-    private record Reading(List<String> ports, Map<Object, Expression> known) {
-        static Reading of(Expression expression) {
-            List<String> ports = expression.ports().stream().map(Port::name).distinct().toList();
-            return new Reading(ports, new HashMap<>());
-        }
-
-        Object knowledge(PartialEvaluation letter) {
-            if (ports.size() == 1) {
-                return letter.knowledge(ports.get(0));
-            }
-            List<Object> all = new ArrayList<>(ports.size());
-            ports.forEach(port -> all.add(letter.knowledge(port)));
-            return all;
-        }
-    }
+    private record Rest(Reading reading, Map<Object, Expression> known) {}
 
     /** Expressions are met again as the same objects; to compare them would take longer. */
-    private final Map<Expression, Reading> readings = new IdentityHashMap<>();
+    private final Map<Expression, Rest> rests = new IdentityHashMap<>();
 
     Expression of(Expression expression, PartialEvaluation letter) {
-        Reading reading = readings.computeIfAbsent(expression, Reading::of);
-        return reading.known.computeIfAbsent(
-                reading.knowledge(letter), known -> letter.of(expression));
+        Rest rest =
+                rests.computeIfAbsent(
+                        expression, each -> new Rest(Reading.of(List.of(each)), new HashMap<>()));
+        return rest.known.computeIfAbsent(
+                rest.reading.knowledge(letter), known -> letter.of(expression));
     }
 }

@@ -1,7 +1,10 @@
 package arcomat.analysis.symbolic;
 
+import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
+
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * States in which no run is ever: a proof that no bad step is possible, if it is one.
@@ -11,6 +14,19 @@ import java.util.List;
 public record InductiveInvariant(List<int[]> excluded) {
     public InductiveInvariant {
         excluded = List.copyOf(excluded);
+    }
+
+    /** Looks for one. What it finds is not to be believed, but to be checked. */
+    public interface Search {
+        /**
+         * Works on for so long, a little more, or until it has come to an end.
+         *
+         * @param amount of assignments that a solver makes
+         */
+        Progress work(long amount);
+
+        /** What was found, not yet checked. */
+        Optional<InductiveInvariant> invariant();
     }
 
     /**

@@ -15,7 +15,7 @@ import java.util.PriorityQueue;
  * "Efficient implementation of property directed reachability", FMCAD 2011). Works as long as it is
  * told to, and can go on later. What it finds is to be checked: {@link InductiveInvariant}.
  */
-public final class PropertyDirectedReachability {
+public final class PropertyDirectedReachability implements InductiveInvariant.Search {
     /** How far it has come. */
     public enum Progress {
         /** There is more to do. */
@@ -48,11 +48,7 @@ public final class PropertyDirectedReachability {
         this.frames = new Frames(relation, between);
     }
 
-    /**
-     * Works on for so long, a little more, or until it has come to an end.
-     *
-     * @param amount of assignments that the solver makes
-     */
+    @Override
     public Progress work(long amount) {
         long end = frames.work() + amount;
         while (progress == Progress.WORKS && frames.work() < end) {
@@ -61,7 +57,7 @@ public final class PropertyDirectedReachability {
         return progress;
     }
 
-    /** What was found, not yet checked. */
+    @Override
     public Optional<InductiveInvariant> invariant() {
         return Optional.ofNullable(invariant);
     }

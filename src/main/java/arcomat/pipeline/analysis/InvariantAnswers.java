@@ -49,19 +49,19 @@ final class InvariantAnswers {
     private void prove(Component component, Set<List<Value>> arguments) {
         for (Invariant invariant : component.invariants()) {
             for (List<Value> each : arguments) {
-                String title = Promise.of(component, each).title();
-                progress.step("proving invariant " + invariant.name() + " of " + title);
+                Promise side = Promise.of(component, each);
+                progress.step("proving invariant " + invariant.name() + " of " + side.title());
                 Verdict verdict = InvariantProof.check(component, each, invariant, budget);
-                add(title, invariant, verdict);
+                String name = invariant.name();
+                answers.add(Answered.ofInvariant(side, name, invariant.span(), verdict));
             }
             if (arguments.isEmpty()) {
-                add(component.qualifiedName(), invariant, Verdict.unknown(missing(component)));
+                Verdict unknown = Verdict.unknown(missing(component));
+                String name = component.qualifiedName();
+                answers.add(
+                        Answered.ofInvariant(name, invariant.name(), invariant.span(), unknown));
             }
         }
-    }
-
-    private void add(String title, Invariant invariant, Verdict verdict) {
-        answers.add(Answered.ofInvariant(title, invariant.name(), invariant.span(), verdict));
     }
 
     private static String missing(Component component) {

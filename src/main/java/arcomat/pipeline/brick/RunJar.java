@@ -4,14 +4,18 @@ import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.inside.Refusing;
+import arcomat.report.run.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.Outcome;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Limits;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.script.Step;
+import arcomat.sim.time.VirtualTime;
 import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Recorder;
 import arcomat.sim.trace.Recorder.Misfit;
@@ -35,6 +39,7 @@ import java.util.OptionalInt;
  * @param seconds of virtual time at most; empty for as long as the script says
  * @param patience of the PC's time at most
  * @param limits those of the brick that the program meets
+ * @param models that the jar was made of, where somebody wants to know what went on inside
  */
 public record RunJar(
         String jar,
@@ -42,22 +47,30 @@ public record RunJar(
         Map<SensorName, String> devices,
         OptionalInt seconds,
         Duration patience,
-        Limits limits)
+        Limits limits,
+        Optional<JarModels> models)
         implements Task<RunJar.Result> {
     private static final long MILLISECONDS = 1000;
 
     /** How long a run goes on where nothing says, behind the script's last line. */
     private static final long USUAL = 10_000;
 
-    /** Without devices, with the usual patience, and all limits. */
+    /** Without devices and models, with the usual patience, and all limits. */
     public RunJar(String jar, Optional<String> script, OptionalInt seconds) {
-        this(jar, script, Map.of(), seconds, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+        this(
+                jar,
+                script,
+                Map.of(),
+                seconds,
+                Laboratory.PATIENCE,
+                Limits.OF_THE_BRICK,
+                Optional.empty());
     }
 
     /**
      * What came of it.
      *
-     * @param findings about the program, or about the script
+     * @param findings about the program, the script, or the models
      * @param run empty exactly if the findings did not let the program run
      */
     public record Result(List<Diagnostic> findings, Optional<Run> run) {}
@@ -71,6 +84,7 @@ public record RunJar(
      * @param misfits what the script exposes sensors to, and they cannot sense
      * @param lateness how often the program came late
      * @param screen what the display shows at the end, without empty rows at its end
+     * @param inside what its model did, where models were given
      */
     public record Run(
             Trace trace,
@@ -79,12 +93,13 @@ public record RunJar(
             Optional<String> failure,
             List<Misfit> misfits,
             Lateness lateness,
-            List<String> screen) {}
+            List<String> screen,
+            Optional<RobotRun> inside) {}
 
     /**
      * Runs the program, if nothing speaks against it.
      *
-     * @throws WrongUse where jar or script cannot be read
+     * @throws WrongUse where jar or script cannot be read, or the jar was made of other models
      * @throws arcomat.sim.time.OutOfPatience where it takes longer than it may
      */
     @Override
@@ -107,15 +122,27 @@ public record RunJar(
         if (!plugged.findings().isEmpty()) {
             return new Result(plugged.findings(), Optional.empty());
         }
+        Optional<Refusing> inside = Optional.empty();
+        if (models.isPresent()) {
+            JarModels.Result made = models.get().match(program, session);
+            if (made.layout().isEmpty()) {
+                return new Result(made.findings(), Optional.empty());
+            }
+            inside = Refusing.of(made.layout());
+        }
         session.progress().step("running " + jar + " on a simulated brick");
-        return new Result(List.of(), Optional.of(run(program, events, plugged)));
+        return new Result(List.of(), Optional.of(run(program, events, plugged, inside)));
     }
 
-    private Run run(JarReader program, Script events, PluggedDevices plugged) {
+    private Run run(
+            JarReader program, Script events, PluggedDevices plugged, Optional<Refusing> inside) {
+        LoadedProgram loaded =
+                inside.map(each -> each.probed(LoadedProgram.forMany(program.program())))
+                        .orElseGet(() -> LoadedProgram.forOnce(program.program()));
         try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
-            SimulatedBrick brick = laboratory.place(program.main(), program.program());
-            Recorder recorder = new Recorder();
+            SimulatedBrick brick = laboratory.place(program.main(), loaded);
+            Recorder recorder = recorder(inside);
             brick.observe(recorder);
             plugged.plugInto(brick);
             brick.play(events);
@@ -127,8 +154,19 @@ public record RunJar(
                     brick.outcome().failure(),
                     recorder.misfits(),
                     recorder.lateness(),
-                    screen(brick));
+                    screen(brick),
+                    inside.map(each -> each.run(program.main())));
         }
+    }
+
+    private static Recorder recorder(Optional<Refusing> inside) {
+        return new Recorder() {
+            @Override
+            public void entered(long time, Object object, String method) {
+                inside.ifPresent(
+                        each -> each.entered(time / VirtualTime.MILLISECOND, object, method));
+            }
+        };
     }
 
     private static String ending(Outcome.Kind kind) {

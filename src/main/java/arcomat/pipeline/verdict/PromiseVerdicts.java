@@ -71,7 +71,7 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
 
         boolean isAbout(Answered answered) {
             List<Component> sides = answered.sides().stream().map(Promise::component).toList();
-            return sides.isEmpty()
+            return sides.size() < 2
                     ? answered.place().equals(heir.node().span())
                             || answered.place().equals(refined.node().span())
                     : isOne(sides.get(0), heir) && isOne(sides.get(1), refined);

@@ -1,11 +1,6 @@
 package arcomat.pipeline.world;
 
 import arcomat.generate.CodeLayout;
-import arcomat.generate.Generation;
-import arcomat.generate.Generator;
-import arcomat.generate.Request;
-import arcomat.generate.Target;
-import arcomat.generate.plan.Choosing;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -15,9 +10,7 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
-import arcomat.pipeline.generate.Implementations;
-import arcomat.pipeline.generate.RobotBuilder;
-import arcomat.pipeline.generate.Targets;
+import arcomat.pipeline.generate.BrickCode;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
@@ -30,7 +23,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -38,8 +30,6 @@ import java.util.Optional;
  * models are checked once, whatever programs are made of them.
  */
 public final class ProgramCache {
-    private static final String TARGET = "lejos";
-
     private final Map<String, Models> models = new HashMap<>();
     private final Map<Wanted, Made> programs = new HashMap<>();
     private final Map<Socket, PluggedDevices> devices = new HashMap<>();
@@ -148,25 +138,13 @@ public final class ProgramCache {
 
     private static Made made(MainComponent main, LoweredModels models, Session session)
             throws WrongUse {
-        session.progress().step("making the program of " + main.component().qualifiedName());
-        PathNames names = session.names();
-        Target target = Targets.find(TARGET, names);
-        Implementations own =
-                Implementations.find(target, models.checked().loaded().roots(names), names);
-        Request request = Request.program(main.closed(), Choosing.FIRST).with(own.texts());
-        Generation generation = Generator.generate(request, target);
-        if (generation.findings().stream().anyMatch(Diagnostic::isError)) {
-            return Made.none(generation.findings());
+        BrickCode code = BrickCode.of(main.closed(), models, session);
+        if (code.jar().isEmpty()) {
+            return Made.none(code.findings());
         }
-        RobotBuilder.Result built = RobotBuilder.build(generation, own);
-        List<Diagnostic> findings = new ArrayList<>(generation.findings());
-        findings.addAll(built.findings());
-        if (built.jars().isEmpty()) {
-            return Made.none(findings);
-        }
-        String path = built.robots().get(0).jar();
-        byte[] jar = Objects.requireNonNull(built.jars().get(path));
-        return checked(JarReader.made(path, jar), Optional.of(generation.layout()), findings);
+        BrickCode.Jar jar = code.jar().get();
+        JarReader made = JarReader.made(jar.path(), jar.bytes());
+        return checked(made, Optional.of(code.layout()), code.findings());
     }
 
     private static Made checked(JarReader jar, Optional<CodeLayout> layout, List<Diagnostic> before)

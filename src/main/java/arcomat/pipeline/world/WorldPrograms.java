@@ -6,6 +6,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.inside.Refusing;
 import arcomat.pipeline.world.ProgramCache.Made;
 import arcomat.pipeline.world.ProgramCache.Models;
 import arcomat.sim.bus.I2CDevice;

@@ -1,6 +1,7 @@
 package arcomat.pipeline.world;
 
 import arcomat.model.Refusal;
+import arcomat.pipeline.inside.Refusing;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;

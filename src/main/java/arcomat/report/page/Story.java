@@ -96,6 +96,11 @@ public record Story(
             carried = Collections.unmodifiableMap(new LinkedHashMap<>(carried));
         }
 
+        /** The same below another heading. */
+        public Drawing titled(String other) {
+            return new Drawing(other, svg, tracks, carried);
+        }
+
         /** One without ports. */
         public Drawing(String title, String svg, List<String> tracks) {
             this(title, svg, tracks, Map.of());

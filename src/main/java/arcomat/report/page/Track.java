@@ -1,6 +1,7 @@
 package arcomat.report.page;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,6 +39,26 @@ public record Track(
         Builder track = new Builder(group, name, kind);
         texts.forEach(track::addUnlessEmpty);
         return track.build();
+    }
+
+    /**
+     * The same with other steps: each is what it is at the given one, and nothing where that is
+     * less than 0.
+     */
+    public Track at(List<Integer> steps) {
+        List<Integer> known = new ArrayList<>();
+        runs.forEach(run -> known.addAll(Collections.nCopies(run.length(), run.value())));
+        List<Run> others = new ArrayList<>();
+        for (int step : steps) {
+            int value = step < 0 ? NOTHING : known.get(step);
+            int end = others.size() - 1;
+            if (end >= 0 && others.get(end).value() == value) {
+                others.set(end, new Run(value, others.get(end).length() + 1));
+            } else {
+                others.add(new Run(value, 1));
+            }
+        }
+        return new Track(group, name, kind, before, values, others);
     }
 
     /** What a track tells of. */

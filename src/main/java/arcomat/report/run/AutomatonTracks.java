@@ -53,6 +53,13 @@ final class AutomatonTracks {
         nearest = new Track.Builder(group, name + " why not", Kind.REASON);
     }
 
+    /** A step before all others, in which the automaton is where it begins. */
+    void begin(Trace.Activity first) {
+        where = first.before();
+        state.add(where, elements(where));
+        reason.addNothing();
+    }
+
     /**
      * @param activity null where it did nothing
      */

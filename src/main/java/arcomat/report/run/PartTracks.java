@@ -18,7 +18,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What the parts of a component send to each other in a run. Empty of a run that has not told. */
+/** What the parts of a component send to each other in a run. Empty of one that does not tell. */
 final class PartTracks {
     private final Trace trace;
     private final boolean told;
@@ -27,9 +27,12 @@ final class PartTracks {
     /** By their paths, as declared, each before its own parts; platform components are outside. */
     private final Map<String, Component> parts = new LinkedHashMap<>();
 
-    PartTracks(Trace trace) {
+    /**
+     * @param told whether the run tells what parts send, be it nothing
+     */
+    PartTracks(Trace trace, boolean told) {
         this.trace = trace;
-        told = trace.steps().stream().anyMatch(step -> !step.between().isSilent());
+        this.told = told;
         wires = new WireSources(trace.component());
         learn(trace.component(), "");
     }

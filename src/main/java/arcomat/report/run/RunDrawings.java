@@ -41,7 +41,7 @@ public final class RunDrawings {
      *
      * @param carried by their paths, the tracks that say what ports carry
      */
-    Drawing parts(Component component, Map<String, String> carried) {
+    public Drawing parts(Component component, Map<String, String> carried) {
         String svg = architectures.computeIfAbsent(component, RunDrawings::picture);
         return new Drawing(component.qualifiedName(), svg, List.of(), carried);
     }

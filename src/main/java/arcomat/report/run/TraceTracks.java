@@ -28,24 +28,46 @@ public final class TraceTracks {
     private final Map<String, AutomatonTracks> automata = new LinkedHashMap<>();
     private final PartTracks parts;
 
+    /** Of a run that tells what its parts send if any of them ever sends something. */
     TraceTracks(Trace trace) {
+        this(trace, trace.steps().stream().anyMatch(step -> !step.between().isSilent()), false);
+    }
+
+    /** Of a run that tells what its parts send. */
+    public static TraceTracks told(Trace trace) {
+        return new TraceTracks(trace, true, false);
+    }
+
+    /** As {@link #told}; the first step has no activities, and shows where automata begin. */
+    public static TraceTracks begun(Trace trace) {
+        return new TraceTracks(trace, true, true);
+    }
+
+    private TraceTracks(Trace trace, boolean told, boolean begun) {
         this.trace = trace;
         columns = TraceColumns.of(trace);
         for (Trace.Step step : trace.steps()) {
             for (Trace.Activity activity : step.activities()) {
                 automata.computeIfAbsent(
                         TraceColumns.nameOf(activity),
-                        name -> new AutomatonTracks(name, trace.component(), activity));
+                        name -> {
+                            AutomatonTracks tracks =
+                                    new AutomatonTracks(name, trace.component(), activity);
+                            if (begun) {
+                                tracks.begin(activity);
+                            }
+                            return tracks;
+                        });
             }
         }
-        for (Trace.Step step : trace.steps()) {
+        for (Trace.Step step : trace.steps().subList(begun ? 1 : 0, trace.steps().size())) {
             Map<String, Trace.Activity> activities = TraceColumns.activities(step);
             automata.forEach((name, tracks) -> tracks.add(activities.get(name)));
         }
         for (int step = trace.steps().size(); step < length(); step++) {
             automata.values().forEach(tracks -> tracks.add(null));
         }
-        parts = new PartTracks(trace);
+        parts = new PartTracks(trace, told);
     }
 
     /** How many steps there are, one that goes wrong included. */
@@ -88,7 +110,7 @@ public final class TraceTracks {
     }
 
     /** What is inside: the automata of the whole, or of each part behind what that part sends. */
-    List<Track> states() {
+    public List<Track> states() {
         List<Track> tracks = new ArrayList<>(states(""));
         for (String part : parts.paths()) {
             tracks.addAll(parts.outputs(part));
@@ -105,7 +127,7 @@ public final class TraceTracks {
     }
 
     /** The parts with what they send, then each automaton. */
-    List<Drawing> drawings(RunDrawings pictures) {
+    public List<Drawing> drawings(RunDrawings pictures) {
         List<Drawing> drawings = new ArrayList<>();
         parts.drawing(pictures).ifPresent(drawings::add);
         automata.values().forEach(each -> each.drawing(pictures).ifPresent(drawings::add));

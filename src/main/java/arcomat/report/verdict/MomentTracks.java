@@ -16,18 +16,20 @@ import arcomat.semantics.expression.Sent;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** A counterexample as tracks: ports, and where both sides are; with the automata of both. */
 final class MomentTracks {
-    private static final String BOTH = "both sides";
     private static final String WAY = " goes";
 
     private final Answered answered;
     private final RunDrawings pictures;
     private final List<Moment> trace;
+    private final Optional<TraceTracks> inside;
     private final List<Track> tracks = new ArrayList<>();
     private final List<Drawing> drawings = new ArrayList<>();
 
@@ -40,9 +42,19 @@ final class MomentTracks {
             outputs();
             states();
         }
-        for (int side = 0; side < answered.sides().size(); side++) {
-            automata(side);
+        inside = CounterexampleRun.of(answered);
+        inside.ifPresent(run -> tracks.addAll(run.states()));
+        architectures();
+        if (answered.question() == Answered.Question.REFINEMENT) {
+            for (int side = 0; side < answered.sides().size(); side++) {
+                automata(side);
+            }
         }
+    }
+
+    /** Whether it is told what parts do. */
+    boolean tellsOfParts() {
+        return inside.isPresent();
     }
 
     List<Track> tracks() {
@@ -52,6 +64,25 @@ final class MomentTracks {
     /** Of both sides, also where there is nothing to step through: what is compared can be seen. */
     List<Drawing> drawings() {
         return drawings;
+    }
+
+    /** Of compositions; with what its wires carry where a run is told. */
+    private void architectures() {
+        for (int side = 0; side < answered.sides().size(); side++) {
+            Promise each = answered.sides().get(side);
+            List<Drawing> own =
+                    side == 0 && inside.isPresent()
+                            ? inside.get().drawings(pictures)
+                            : each.isComposition()
+                                    ? List.of(pictures.parts(each.component(), Map.of()))
+                                    : List.of();
+            String name = answered.sides().size() < 2 ? "" : name(side) + ": ";
+            own.forEach(drawing -> drawings.add(drawing.titled(name + drawing.title())));
+        }
+    }
+
+    private static String name(int side) {
+        return side == 0 ? "left" : "right";
     }
 
     private void outputs() {
@@ -75,15 +106,21 @@ final class MomentTracks {
         int last = trace.size() - 1;
         possible.set(last, possible.get(last).isEmpty() ? terms.end() : possible.get(last));
         Stream<String> left = trace.stream().map(Moment::left);
-        tracks.add(Track.of(BOTH, terms.left(), Kind.STATE, left));
-        tracks.add(Track.of(BOTH, terms.right(), Kind.STATE, possible.stream()));
+        tracks.add(Track.of(Terms.of(answered).sides(), terms.left(), Kind.STATE, left));
+        tracks.add(
+                Track.of(Terms.of(answered).sides(), terms.right(), Kind.STATE, possible.stream()));
     }
 
     /** Why nothing was enabled where nothing was; of one that always found something, nothing. */
     private void nearest(String side, String title, List<Visited> visited) {
         if (visited.stream().anyMatch(each -> !each.nearest().isEmpty())) {
             Stream<String> words = visited.stream().map(each -> nearest(side, each));
-            tracks.add(Track.of(BOTH, side + ": " + title + " why not", Kind.REASON, words));
+            tracks.add(
+                    Track.of(
+                            Terms.of(answered).sides(),
+                            side + ": " + title + " why not",
+                            Kind.REASON,
+                            words));
         }
     }
 
@@ -97,7 +134,7 @@ final class MomentTracks {
     private void automata(int position) {
         Promise side = answered.sides().get(position);
         for (Automaton automaton : side.automata()) {
-            String sideName = position == 0 ? "left" : "right";
+            String sideName = name(position);
             String title = side.component().title(automaton);
             String name = sideName + ": " + title + WAY;
             List<Visited> visited = TraceReplay.of(answered.sides(), position, automaton, trace);

@@ -7,14 +7,16 @@ import arcomat.analysis.refinement.Verdict;
  * How a question is told.
  *
  * @param step what a run is made of
+ * @param sides who is looked at, as a heading
  * @param left where the left side is
  * @param right where the right side may be
  * @param end what the right side says to the last step
  */
-record Terms(String step, String left, String right, String end) {
+record Terms(String step, String sides, String left, String right, String end) {
     private static final Terms REFINEMENT =
-            new Terms("step", "left is", "right is", "not possible");
-    private static final Terms INVARIANT = new Terms("slice", "state", "invariant", "not true");
+            new Terms("step", "both sides", "left is", "right is", "not possible");
+    private static final Terms INVARIANT =
+            new Terms("slice", "component", "state", "invariant", "not true");
 
     static Terms of(Answered answered) {
         return switch (answered.question()) {

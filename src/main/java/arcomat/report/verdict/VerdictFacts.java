@@ -39,7 +39,8 @@ final class VerdictFacts {
                                     + " right side stands"));
         }
         for (int side = 0; side < answered.sides().size(); side++) {
-            facts.addAll(of(answered.sides().get(side), side == 0 ? "left" : "right"));
+            String label = invariant ? "model" : side == 0 ? "left" : "right";
+            facts.addAll(of(answered.sides().get(side), label));
         }
         if (!answered.sides().isEmpty()) {
             facts.add(RunFacts.time(answered.sides().get(0).component()));

@@ -96,15 +96,24 @@ public final class VerdictPage {
                 title,
                 tone(verdict.answer()),
                 headline,
-                remarks(verdict),
+                remarks(answered, tracks.tellsOfParts()),
                 timeline,
                 tracks.drawings());
     }
 
-    private static List<Remark> remarks(Verdict verdict) {
+    private static List<Remark> remarks(Answered answered, boolean tellsOfParts) {
+        Verdict verdict = answered.verdict();
         List<Remark> remarks = new ArrayList<>();
         verdict.explanation().forEach(each -> remarks.add(remark(Tone.BAD, each)));
         verdict.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
+        if (tellsOfParts && answered.question() == Answered.Question.REFINEMENT) {
+            remarks.add(
+                    Remark.of(
+                            Tone.NEUTRAL,
+                            "Rows of parts tell one run of the left side that shows this: each"
+                                    + " message stands in the step in which it is sent. What a"
+                                    + " filled port sends is read one step later."));
+        }
         if (!verdict.explored().isNothing()) {
             remarks.add(Remark.of(Tone.NEUTRAL, VerdictText.explored(verdict)));
         }

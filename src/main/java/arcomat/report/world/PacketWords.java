@@ -4,6 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.report.run.RobotRun;
 import arcomat.semantics.network.Network;
 
 import java.util.HashMap;

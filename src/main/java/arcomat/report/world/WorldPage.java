@@ -4,6 +4,7 @@ import arcomat.report.page.Page;
 import arcomat.report.page.PageText;
 import arcomat.report.page.SelfContained;
 import arcomat.report.page.Story;
+import arcomat.report.run.RobotRun;
 import arcomat.report.run.RunDrawings;
 import arcomat.report.run.TracePage;
 import arcomat.world.Recording;

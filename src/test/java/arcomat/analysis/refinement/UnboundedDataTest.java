@@ -21,7 +21,7 @@ import java.util.List;
  * of bits and of floating point: nothing may be decided otherwise, and little may stay open.
  */
 class UnboundedDataTest {
-    private static final int QUESTIONS = 40;
+    private static final int QUESTIONS = Integer.getInteger("unbounded.questions", 40);
 
     private final List<String> open = new ArrayList<>();
     private int holds;

@@ -6,6 +6,7 @@ import arcomat.generate.CodeLayout;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.compile.Slot;
+import arcomat.pipeline.inside.Refusing;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.sim.device.Observer;

@@ -3,8 +3,8 @@ package arcomat.pipeline.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Trace;
+import arcomat.report.run.RobotRun;
 import arcomat.report.world.PacketWords;
-import arcomat.report.world.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.simulate.run.Choice;

@@ -16,6 +16,7 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** What commands write with {@code --report}, in a browser. */
@@ -160,12 +161,29 @@ class CommandPagesBrowserTest extends BrowserTest {
                 out + "/Fetcher.jar",
                 "--script",
                 COFFEE.resolve("scripts/fetcher.script").toString(),
+                "--models",
+                COFFEE.toString(),
                 "--report",
                 folder.toString());
         browser.open(folder.resolve("index.html"));
         browser.press(Keys.ARROW_RIGHT);
         assertThat(browser.text(".time")).isEqualTo("0.10 s");
+        assertThat(browser.text(".rows")).contains("sensor S1", "motor A", "part avoidCrash");
+        assertThat(activeStates()).contains("driving");
+        browser.open(folder.resolve("index.html").toUri() + "?five#5", "#story > *");
+        browser.await(() -> browser.text(".time").equals("0.50 s"));
+        assertThat(activeStates()).contains("backing");
+        assertThat(browser.findAll(".drawing .connector.live")).isNotEmpty();
+        assertThat(browser.findAll(".drawing .carried"))
+                .extracting(each -> each.getText())
+                .contains("tooClose");
         photograph("run-brick");
+    }
+
+    private List<String> activeStates() {
+        return browser.findAll(".drawing .state.active text").stream()
+                .map(each -> each.getText())
+                .toList();
     }
 
     private void photograph(String name) {

@@ -28,6 +28,8 @@ class PageBrowserTest extends BrowserTest {
         tests.put("wires say what they carry", this::wiresSayWhatTheyCarry);
         tests.put("parts are folded", this::partsAreFolded);
         tests.put("rows are put in order by hand", this::rowsArePutInOrder);
+        tests.put("the address keeps what is arranged", this::theAddressKeepsWhatIsArranged);
+        tests.put("addresses of others do no harm", this::addressesOfOthersDoNoHarm);
         tests.put("a run is played", this::aRunIsPlayed);
         tests.put("keys work after clicks", this::keysWorkAfterClicks);
         tests.put("hostile texts stay texts", this::hostileTextsStayTexts);
@@ -204,6 +206,43 @@ class PageBrowserTest extends BrowserTest {
         assertThat(rows()).as("a row stays in its group").startsWith("j", "i", "o");
         browser.drag(".track .grip", 24);
         assertThat(rows()).as("by its grip").startsWith("i", "j", "o");
+    }
+
+    private void theAddressKeepsWhatIsArranged() throws IOException {
+        open(SamplePages.parts());
+        String page = folder.resolve("index.html").toUri().toString();
+        browser.press(Keys.ARROW_DOWN, Keys.chord(Keys.ALT, Keys.ARROW_DOWN));
+        browser.findAll("button.group").get(1).click();
+        List<String> arranged = List.of("j", "i", "o", "o");
+        assertThat(rows()).isEqualTo(arranged);
+        browser.await(() -> address().endsWith("#0/i//part%20a/inputs,j,i"));
+        browser.open(page + "?again#1///part%20a/inputs,j,i", "#story > *");
+        assertThat(rows()).isEqualTo(arranged);
+        assertThat(step()).isEqualTo("1");
+        browser.run("location.hash = '#2'");
+        browser.await(() -> step().equals("2"));
+        assertThat(rows()).as("what it does not say stays").isEqualTo(arranged);
+        browser.run("location.hash = '#2///'");
+        browser.await(() -> rows().equals(List.of("i", "j", "o", "state", "o", "o")));
+    }
+
+    /** What nobody on the page is called folds nothing, and is no place in an order. */
+    private void addressesOfOthersDoNoHarm() throws IOException {
+        open(SamplePages.parts());
+        String page = folder.resolve("index.html").toUri().toString();
+        List<String> hostile =
+                List.of(
+                        "#1///%,__proto__,constructor,nobody/__proto__,j;nobody,j,i;%E0%A4%A,x;;,",
+                        "#1/<img src=x>/%3Cscript%3E/<b>,i,j/<b>,j;outputs,i,j,<i>",
+                        "#1///" + "part%20,".repeat(2000) + "/" + "inputs,nobody,;".repeat(2000),
+                        "#////////");
+        for (int i = 0; i < hostile.size(); i++) {
+            browser.open(page + "?hostile" + i + hostile.get(i), "#story > *");
+            assertThat(rows()).containsExactly("i", "j", "o", "state", "o", "o");
+            assertThat(browser.problems()).isEmpty();
+        }
+        browser.open(page + "?half#1///nobody/inputs,nobody,j,j", "#story > *");
+        assertThat(rows()).as("what there is").startsWith("j", "i", "o");
     }
 
     private void aRunIsPlayed() throws IOException {

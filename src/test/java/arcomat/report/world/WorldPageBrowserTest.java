@@ -53,10 +53,25 @@ class WorldPageBrowserTest extends BrowserTest {
         namesAreApart();
         browser.open(page + "?again#7", ".floor .robot");
         assertThat(browser.text("#clock")).startsWith("7.0 s");
+        assertThat(browser.find("#moment").getDomAttribute("aria-valuetext"))
+                .as("for who does not see it")
+                .isEqualTo("7.0 s of 22.0 s: empty backing");
+        isPrinted();
         browser.wear("dark");
         browser.picture("world-dark");
         browser.wear("light");
         aGhostIsShown(session, run);
+    }
+
+    /** Paper says which moment it shows, and has nothing to be pressed. */
+    private void isPrinted() {
+        browser.print();
+        assertThat(browser.find("#clock").isDisplayed()).isTrue();
+        assertThat(browser.findAll("#player button, #player input, .card button"))
+                .isNotEmpty()
+                .noneMatch(WebElement::isDisplayed);
+        browser.picture("world-printed");
+        browser.wear("light");
     }
 
     /** Of the robot that was chosen, at the moment of the floor; and the floor comes along. */

@@ -37,28 +37,33 @@ public final class SymbolicInclusion {
     private static final int MOST_STARTS = 1_000;
 
     private final TransitionRelation relation;
-    private final PropertyDirectedReachability search;
+    private final InductiveInvariant.Search search;
     private final Budget budget;
     private Progress progress = Progress.WORKS;
 
-    private SymbolicInclusion(TransitionRelation relation, Budget budget) {
+    SymbolicInclusion(
+            TransitionRelation relation, InductiveInvariant.Search search, Budget budget) {
         this.relation = relation;
+        this.search = search;
         this.budget = budget;
-        this.search = new PropertyDirectedReachability(relation, budget::insist);
     }
 
     /** Ready to be asked; empty where the question is none for it. */
     public static Optional<SymbolicInclusion> of(
             NetworkSystem left, TransitionSystem right, OutputCubes outputs, Budget budget) {
         try {
-            return relation(left, right, outputs)
-                    .map(relation -> new SymbolicInclusion(relation, budget));
+            return relation(left, right, outputs).map(relation -> searched(relation, budget));
         } catch (CannotPack | TooLarge unfit) {
             return Optional.empty();
         } catch (GivenUp tooMuch) { // perhaps in what no run ever meets
             budget.insist();
             return Optional.empty();
         }
+    }
+
+    private static SymbolicInclusion searched(TransitionRelation relation, Budget budget) {
+        return new SymbolicInclusion(
+                relation, new PropertyDirectedReachability(relation, budget::insist), budget);
     }
 
     private static Optional<TransitionRelation> relation(

@@ -15,6 +15,7 @@ import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.DataIndependence;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.analysis.smt.DataStep;
+import arcomat.analysis.smt.KnownExamples;
 import arcomat.analysis.smt.MessageExamples;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -61,6 +62,7 @@ final class Product {
     private final StepTable leftSteps = new StepTable();
     private final StepTable rightSteps = new StepTable();
     private final List<LongObjectHashMap<Alphabet>> alphabets = new ArrayList<>();
+    private final KnownExamples examples;
     private final Map<List<Object>, Alphabet> calculated = new HashMap<>();
     private final LongObjectHashMap<Alphabet> calculatedOfPairs = new LongObjectHashMap<>();
     private Optional<String> missing = Optional.empty();
@@ -93,6 +95,7 @@ final class Product {
         this.outputs = outputs;
         this.observed = observed;
         this.mayErr = left.mayErr();
+        this.examples = new KnownExamples(budget::isSpent);
         this.data = new DataIndependence(left, right, observed.size());
         boolean events = left.profile() == Component.Profile.EVENT_DRIVEN;
         this.split = new CubeSplit(observed, outputs, events, budget);
@@ -186,16 +189,7 @@ final class Product {
             List<Object> key = List.of(own.number(), list, held, steps);
             known =
                     calculated.computeIfAbsent(
-                            key,
-                            each ->
-                                    alphabet(
-                                            own,
-                                            list,
-                                            held,
-                                            steps.map(
-                                                    all ->
-                                                            MessageExamples.of(
-                                                                    all, budget::isSpent))));
+                            key, each -> alphabet(own, list, held, steps.map(examples::of)));
             calculatedOfPairs.put(pair, known);
             missing = missing.or(known::missing);
         }

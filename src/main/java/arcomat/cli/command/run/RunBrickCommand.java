@@ -2,11 +2,14 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.LibraryOption;
 import arcomat.cli.option.PageOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.JarModels;
 import arcomat.pipeline.brick.RunJar;
+import arcomat.pipeline.file.FileFindings;
 import arcomat.report.brick.BrickPage;
 import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
@@ -21,7 +24,9 @@ import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -34,7 +39,8 @@ import java.util.OptionalInt;
         footer = {
             "  arcomat run-brick --jar build/brick/Fetcher.jar --script meets-another.script",
             "  arcomat run-brick --jar build/brick/Fetcher.jar --seconds 60 --trace csv > run.csv",
-            "  arcomat run-brick --jar build/brick/Fetcher.jar --report build/run",
+            "  arcomat run-brick --jar build/brick/Fetcher.jar --models models/coffee --report"
+                    + " build/run",
             "  arcomat run-brick --jar build/brick/Rover.jar --device S2=simulation/Gyro.java",
             "",
             "A script has one line per event: milliseconds since switching on, what, and how.",
@@ -93,12 +99,41 @@ public final class RunBrickCommand extends Command {
                             + " leaves out cycles that change nothing.")
     private TraceFormat trace;
 
+    @Option(
+            names = "--models",
+            paramLabel = "PATH",
+            description =
+                    "A model file or model root that the jar was made of: the page of --report"
+                            + " also shows what its parts and automata do. May be repeated.")
+    private List<String> models = new ArrayList<>();
+
+    @Option(
+            names = "--main",
+            paramLabel = "QNAME",
+            description =
+                    "The component of these models that the jar runs, as 'generate --main' was"
+                            + " told; default: the one whose program is called as the jar's.")
+    private String main;
+
+    @Mixin private LibraryOption library = new LibraryOption();
+
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Mixin private PageOption report = new PageOption();
 
     @Override
+    protected List<String> libraries() {
+        return library.folders();
+    }
+
+    @Override
     protected int run(Session session) throws WrongUse {
+        if (!models.isEmpty() && !report.isWanted()) {
+            throw new WrongUse("what models do stands on a page; say where with --report DIR");
+        }
+        if (main != null && models.isEmpty()) {
+            throw new WrongUse("--main names a component of models; say which with --models PATH");
+        }
         if (seconds != null && seconds < 1) {
             throw new WrongUse("--seconds " + seconds + " is less than 1");
         }
@@ -116,7 +151,10 @@ public final class RunBrickCommand extends Command {
                         devices,
                         limit,
                         bricks.patience(),
-                        bricks.limits());
+                        bricks.limits(),
+                        models.isEmpty()
+                                ? Optional.empty()
+                                : Optional.of(new JarModels(models, Optional.ofNullable(main))));
         try {
             return report(session.run(task), session);
         } catch (OutOfPatience e) {
@@ -128,7 +166,9 @@ public final class RunBrickCommand extends Command {
         if (result.run().isEmpty()) {
             print(FindingsText.render(result.findings(), console().style()));
             printLine(FindingsText.summary(result.findings(), 1, console().style()));
-            return ExitStatus.FINDINGS;
+            return result.findings().stream().anyMatch(FileFindings::isUnreadableInput)
+                    ? ExitStatus.WRONG_USE
+                    : ExitStatus.FINDINGS;
         }
         RunJar.Run run = result.run().get();
         report.write(
@@ -139,7 +179,8 @@ public final class RunBrickCommand extends Command {
                                 run.ending(),
                                 run.failure(),
                                 run.lateness(),
-                                run.screen()),
+                                run.screen(),
+                                run.inside()),
                 session);
         return report(run);
     }

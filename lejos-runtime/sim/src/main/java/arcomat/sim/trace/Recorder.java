@@ -16,9 +16,10 @@ import java.util.List;
 
 /**
  * Writes down what a program does. Text is drawn in pieces, and nobody sees the steps: pieces that
- * follow each other closely are one change of the screen.
+ * follow each other closely are one change of the screen. Who wants to see what is not written
+ * down, such as probes, extends it.
  */
-public final class Recorder implements Observer {
+public class Recorder implements Observer {
     private static final SensorName[] SENSORS = SensorName.values();
 
     /** Microseconds between pieces that belong together. */

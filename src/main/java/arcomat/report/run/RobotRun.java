@@ -1,4 +1,4 @@
-package arcomat.report.world;
+package arcomat.report.run;
 
 import arcomat.model.Trace;
 

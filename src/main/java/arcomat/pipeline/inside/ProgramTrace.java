@@ -1,4 +1,4 @@
-package arcomat.pipeline.world;
+package arcomat.pipeline.inside;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -7,7 +7,7 @@ import arcomat.model.Port;
 import arcomat.model.Refusal;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.report.world.RobotRun;
+import arcomat.report.run.RobotRun;
 import arcomat.rt.ModelError;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;

@@ -1,5 +1,7 @@
 package montiarc7;
 
+import montiarc7.Deed.Choice;
+import montiarc7.Deed.Condition;
 import montiarc7.MontiArc7Parser.BlockContext;
 import montiarc7.MontiArc7Parser.BlockStatementContext;
 import montiarc7.MontiArc7Parser.BreakStatementContext;
@@ -9,30 +11,30 @@ import montiarc7.MontiArc7Parser.SwitchStatementContext;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
  * A choice among values as a chain of 'if'. No case goes on in the next one, but for those that
  * have no statements, which stand for the same.
  */
-final class SwitchWriter {
-    private final Scope scope;
+final class SwitchReader {
+    private final ActionReader reader;
     private final ExpressionWriter expressions;
 
-    SwitchWriter(Scope scope) {
-        this.scope = scope;
-        this.expressions = new ExpressionWriter(scope);
+    SwitchReader(ActionReader reader) {
+        this.reader = reader;
+        this.expressions = new ExpressionWriter(reader.scope());
     }
 
-    String write(SwitchStatementContext choice) {
+    List<Deed> read(SwitchStatementContext choice) {
         String written = expressions.write(choice.expression());
         String value = written.matches("\\w+") ? written : "(" + written + ")";
         Set<String> present = expressions.reads(choice.expression());
-        ActionWriter inside = new ActionWriter(scope.with(present));
-        StringBuilder text = new StringBuilder();
+        List<Choice> cases = new ArrayList<>();
         List<String> same = new ArrayList<>();
         boolean isDefault = false;
-        String otherwise = "";
+        List<Deed> otherwise = List.of();
         for (SwitchCaseContext each : choice.switchCase()) {
             isDefault |= each.expression() == null;
             if (each.expression() != null) {
@@ -41,20 +43,21 @@ final class SwitchWriter {
             if (each.statement().isEmpty()) {
                 continue;
             }
-            StringBuilder done = new StringBuilder();
-            withoutBreak(each.statement()).forEach(one -> done.append(inside.inside(one)));
+            List<Deed> done = reader.branch(withoutBreak(each.statement()), present);
             if (isDefault) {
-                otherwise = done.toString();
+                otherwise = done;
             } else {
-                text.append(text.isEmpty() ? "if (" : " else if (");
-                text.append(String.join(" || ", same)).append(") {").append(done).append("}");
+                Condition condition = new Condition(String.join(" || ", same), Optional.empty());
+                cases.add(new Choice(condition, done, List.of()));
             }
             same.clear();
             isDefault = false;
         }
-        return text.isEmpty()
-                ? otherwise
-                : text + (otherwise.isBlank() ? "" : " else {" + otherwise + "}") + "\n";
+        for (int i = cases.size() - 1; i >= 0; i--) {
+            Choice each = cases.get(i);
+            otherwise = List.of(new Choice(each.condition(), each.then(), otherwise));
+        }
+        return otherwise;
     }
 
     /** Statements of a case, which may end with a 'break' that says nothing more. */

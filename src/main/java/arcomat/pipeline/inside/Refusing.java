@@ -1,4 +1,4 @@
-package arcomat.pipeline.world;
+package arcomat.pipeline.inside;
 
 import arcomat.generate.CodeLayout;
 import arcomat.model.Automaton;
@@ -6,7 +6,7 @@ import arcomat.model.Component;
 import arcomat.model.Refusal;
 import arcomat.pipeline.compile.AutomatonFields;
 import arcomat.pipeline.compile.CodeParts;
-import arcomat.report.world.RobotRun;
+import arcomat.report.run.RobotRun;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
@@ -29,7 +29,7 @@ import java.util.Optional;
  * are, and the model says what that means. Parts with several automata are left out, and those that
  * handle events.
  */
-final class Refusing {
+public final class Refusing {
     private static final String STEP = "step";
 
     private final CodeLayout layout;
@@ -59,7 +59,7 @@ final class Refusing {
      * @param nearest the transition that came nearest, where none was enabled and one leaves the
      *     state
      */
-    record Said(String part, Optional<Refusal> nearest) {}
+    public record Said(String part, Optional<Refusal> nearest) {}
 
     private Refusing(CodeLayout layout, Component whole) {
         this.layout = layout;
@@ -74,7 +74,7 @@ final class Refusing {
     }
 
     /** Of a program; nothing where it was not made of a model. */
-    static Optional<Refusing> of(Optional<CodeLayout> layout) {
+    public static Optional<Refusing> of(Optional<CodeLayout> layout) {
         return layout.filter(each -> each.wholes().size() == 1)
                 .map(each -> new Refusing(each, each.wholes().get(0)));
     }
@@ -93,7 +93,7 @@ final class Refusing {
     }
 
     /** The same program, which tells when its parts take their steps. */
-    LoadedProgram probed(LoadedProgram program) {
+    public LoadedProgram probed(LoadedProgram program) {
         List<String> types = new ArrayList<>(List.of(type));
         instances.forEach(each -> types.add(place(layout, each.component()).className()));
         return LoadedProgram.forMany(
@@ -107,7 +107,7 @@ final class Refusing {
      *
      * @param time in milliseconds
      */
-    Optional<Said> entered(long time, Object object, String method) {
+    public Optional<Said> entered(long time, Object object, String method) {
         if (!method.equals(STEP)) {
             return Optional.empty();
         }
@@ -129,7 +129,7 @@ final class Refusing {
     }
 
     /** What the program has done so far. */
-    RobotRun run(String robot) {
+    public RobotRun run(String robot) {
         return trace.run(robot);
     }
 

@@ -1,0 +1,4 @@
+component Missing {
+  port sync in Painted door, sync out int b;
+  compute { b = door.rooms; }
+}

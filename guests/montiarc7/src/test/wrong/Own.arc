@@ -1,0 +1,4 @@
+component Own(Shelf Full) {
+  port sync in int a, sync out int b;
+  compute { Full.clear(); b = a; }
+}

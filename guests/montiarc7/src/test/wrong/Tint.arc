@@ -1,0 +1,4 @@
+component Tint {
+  port sync in int a;
+  Tinted tinted(NOTHING), plain;
+}

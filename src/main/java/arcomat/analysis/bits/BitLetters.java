@@ -1,0 +1,100 @@
+package arcomat.analysis.bits;
+
+import arcomat.analysis.symbolic.CheckedSolver;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.value.GivenUp;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Letters that make conditions true, where all is whole numbers, truth values and constants. Says
+ * that there is none only where that is proved and the proof has been checked. Conditions are
+ * literals: negative where the opposite is meant. All gives up where something else comes in.
+ */
+public final class BitLetters {
+    /** A solver that has concluded so much will hardly find an end. */
+    private static final int MOST_CONCLUSIONS = 10_000;
+
+    private final List<Port> ports;
+    private final BooleanSupplier stop;
+    private final CheckedSolver solver = new CheckedSolver(this::count);
+    private final Circuit circuit = new Circuit(solver.clauses());
+    private final BitExpressions expressions = new BitExpressions(circuit);
+    private int conclusions;
+
+    /**
+     * @param ports each with a message
+     * @param stop asked now and then, whether to give up
+     */
+    public BitLetters(List<Port> ports, BooleanSupplier stop) {
+        this.ports = List.copyOf(ports);
+        this.stop = stop;
+        for (Port port : ports) {
+            claim(expressions.isOf(expressions.message(port), port.type()));
+        }
+    }
+
+    private void count() {
+        if (++conclusions > MOST_CONCLUSIONS || stop.getAsBoolean()) {
+            throw new GivenUp("too much to conclude about bits");
+        }
+    }
+
+    /** That a condition is true. */
+    public int truth(Expression condition) {
+        return expressions.truth(condition);
+    }
+
+    /** That two expressions have one value. */
+    public int areEqual(Expression one, Expression other) {
+        return expressions.areEqual(one, other);
+    }
+
+    /** That an expression has a value. */
+    public int is(Expression e, Value value) {
+        int[] bits = expressions.bits(e);
+        return circuit.areEqual(bits, expressions.value(value, e.type()));
+    }
+
+    /** That all of some conditions are true. */
+    public int and(List<Integer> conditions) {
+        int all = circuit.of(true);
+        for (int condition : conditions) {
+            all = circuit.and(all, condition);
+        }
+        return all;
+    }
+
+    /** Only letters matter of which this is true. */
+    public void claim(int condition) {
+        solver.clauses().add(condition);
+    }
+
+    /**
+     * A letter, by port; empty where there is none.
+     *
+     * @throws GivenUp where that takes too long
+     */
+    public Optional<Value[]> find() {
+        conclusions = 0;
+        return solver.solve()
+                ? Optional.of(ports.stream().map(this::message).toArray(Value[]::new))
+                : Optional.empty();
+    }
+
+    private Value message(Port port) {
+        int[] bits = expressions.message(port);
+        long number = 0;
+        for (int i = 0; i < bits.length; i++) {
+            if (solver.isTrue(bits[i])) {
+                number |= 1L << i;
+            }
+        }
+        return BitExpressions.value(
+                bits.length == Integer.SIZE ? (int) number : number, port.type());
+    }
+}

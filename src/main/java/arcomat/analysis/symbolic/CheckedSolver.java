@@ -1,0 +1,55 @@
+package arcomat.analysis.symbolic;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Whether clauses can be satisfied, of which more may come after each question. It is not believed
+ * where it says that they cannot: its conclusions are checked one by one.
+ */
+public final class CheckedSolver {
+    private final Clauses clauses = new Clauses();
+    private final List<int[]> conclusions = new ArrayList<>();
+    private final SatSolver solver;
+    private final Runnable between;
+    private int variables;
+    private int told;
+
+    /**
+     * @param between called at each conclusion; may throw to give up for good
+     */
+    public CheckedSolver(Runnable between) {
+        this.between = between;
+        solver =
+                new SatSolver(
+                        clause -> {
+                            between.run();
+                            conclusions.add(clause);
+                        });
+    }
+
+    /** What is asked about; to be written to. */
+    public Clauses clauses() {
+        return clauses;
+    }
+
+    /** Whether all clauses can be true. */
+    public boolean solve() {
+        for (; variables < clauses.variables(); variables++) {
+            solver.variable();
+        }
+        for (; told < clauses.all().size(); told++) {
+            solver.add(clauses.all().get(told));
+        }
+        boolean possible = solver.solve();
+        if (!possible && !new UnitPropagation(clauses).refutes(conclusions, between)) {
+            throw new IllegalStateException("a solver has drawn a wrong conclusion");
+        }
+        return possible;
+    }
+
+    /** Whether a literal is true in the way that was found. */
+    public boolean isTrue(int literal) {
+        return literal > 0 == solver.isTrue(Math.abs(literal));
+    }
+}
