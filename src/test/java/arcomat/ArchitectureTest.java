@@ -71,7 +71,7 @@ class ArchitectureTest {
                             "report",
                             row(
                                     "analysis semantics brick simulate generate diagram model sim"
-                                            + " world campaign",
+                                            + " world campaign rt",
                                     "com.fasterxml.jackson")),
                     Map.entry(
                             "pipeline",
