@@ -37,3 +37,31 @@ component Silence {
 //                               ~~~~~~~~~~~~~~~~~~~~~~~ error ARC0327: no message is sent here on 'drive', which carries one in every slice (<<total>>); say which one
   }
 }
+
+//// BadTable.arc
+component BadTable {
+  port in Boolean tooClose, <<total>> out Boolean drive;
+
+  table {
+//~~~~~ error ARC0327: no message is sent here on 'drive', which carries one in every slice (<<total>>); say which one
+    in tooClose;
+    out drive;
+    | true  | => | false |;
+    | false | => | -- |;
+//  ~~~~~~~~~~~~~~~~~~~~ error ARC0327: no message is sent here on 'drive', which carries one in every slice (<<total>>); say which one
+  }
+}
+
+//// GoodTable.arc
+component GoodTable {
+  timing instant;
+  port in Boolean tooClose, <<total>> out Boolean drive;
+
+  table {
+    in tooClose;
+    out drive;
+    | true  | => | false |;
+    | false | => | true |;
+    | --    | => | true |;
+  }
+}

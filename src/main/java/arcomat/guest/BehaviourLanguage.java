@@ -76,8 +76,34 @@ public interface BehaviourLanguage {
      * @param keyword the word that it begins with
      * @param name behind the word, if there is one
      * @param body the text between the braces; comments are in it
+     * @param gaps parts of the body that are wrong, which has been told: see {@link Meaning#gap}
      */
-    record Written(Span keyword, Optional<Name> name, Span body) {
+    record Written(Span keyword, Optional<Name> name, Span body, List<Span> gaps) {
+        public Written {
+            gaps = List.copyOf(gaps);
+        }
+
+        /** One of which all can be read, as far as is known. */
+        public Written(Span keyword, Optional<Name> name, Span body) {
+            this(keyword, name, body, List.of());
+        }
+
+        /**
+         * The text between the braces, with blanks in the place of what is wrong, so that all else
+         * stands where it stood.
+         */
+        public String text() {
+            StringBuilder text = new StringBuilder(body.text());
+            for (Span gap : gaps) {
+                for (int i = gap.start() - body.start(); i < gap.end() - body.start(); i++) {
+                    if (text.charAt(i) != '\n') {
+                        text.setCharAt(i, ' ');
+                    }
+                }
+            }
+            return text.toString();
+        }
+
         /** From the word to the brace that ends it. */
         public Span whole() {
             return new Span(body.file(), keyword.start(), body.end() + 1);

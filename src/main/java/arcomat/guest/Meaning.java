@@ -59,13 +59,15 @@ public final class Meaning {
      * @param code of the language's own; empty where it has none for it
      * @param related other places that have to do with it, each with a note
      * @param fix what mends it
+     * @param gap the part of the text without which the rest can be read
      */
     public record Problem(
             Optional<String> code,
             Span place,
             String message,
             List<Related> related,
-            Optional<Fix> fix) {
+            Optional<Fix> fix,
+            Optional<Span> gap) {
         public Problem {
             related = List.copyOf(related);
         }
@@ -148,7 +150,8 @@ public final class Meaning {
     }
 
     private Meaning problem(Optional<String> code, Span place, String message) {
-        problems.add(new Problem(code, place, message, List.of(), Optional.empty()));
+        problems.add(
+                new Problem(code, place, message, List.of(), Optional.empty(), Optional.empty()));
         return this;
     }
 
@@ -173,7 +176,12 @@ public final class Meaning {
                         .get(0);
         problems.add(
                 new Problem(
-                        Optional.of(code), place, found.message(), found.related(), found.fix()));
+                        Optional.of(code),
+                        place,
+                        found.message(),
+                        found.related(),
+                        found.fix(),
+                        Optional.empty()));
         return this;
     }
 
@@ -183,7 +191,13 @@ public final class Meaning {
         List<Related> related = new ArrayList<>(last.related());
         related.add(new Related(place, note));
         return insteadOfLast(
-                new Problem(last.code(), last.place(), last.message(), related, last.fix()));
+                new Problem(
+                        last.code(),
+                        last.place(),
+                        last.message(),
+                        related,
+                        last.fix(),
+                        last.gap()));
     }
 
     /** Adds what mends the problem that was said last: an edit of the language's own text. */
@@ -195,7 +209,29 @@ public final class Meaning {
                         last.place(),
                         last.message(),
                         last.related(),
-                        Optional.of(fix)));
+                        Optional.of(fix),
+                        last.gap()));
+    }
+
+    /**
+     * The problem that was said last is that of a part of the text, as of one row or one
+     * transition, without which the rest can be read. Where that is so of all problems, the
+     * language is asked once more, with {@link BehaviourLanguage.Written#text blanks} in the place
+     * of such parts; what it says then is the meaning of the rest. Of use while the text alone is
+     * looked at: who has looked around says {@link #stands}.
+     *
+     * @param part of the body
+     */
+    public Meaning gap(Span part) {
+        Problem last = last();
+        return insteadOfLast(
+                new Problem(
+                        last.code(),
+                        last.place(),
+                        last.message(),
+                        last.related(),
+                        last.fix(),
+                        Optional.of(part)));
     }
 
     private Problem last() {

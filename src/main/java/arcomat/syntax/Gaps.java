@@ -2,6 +2,7 @@ package arcomat.syntax;
 
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.syntax.runtime.RuleNode;
 
@@ -13,9 +14,16 @@ import org.antlr.v4.runtime.tree.ParseTree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** Takes what has an error out of a parse tree, so that the rest can be built. */
 final class Gaps {
+    private static final Set<Integer> OF_TABLES =
+            Set.of(
+                    ArcomatParser.RULE_tableInputs,
+                    ArcomatParser.RULE_tableOutputs,
+                    ArcomatParser.RULE_row);
+
     private final SourceFile file;
     private final List<Span> gaps = new ArrayList<>();
 
@@ -69,25 +77,14 @@ final class Gaps {
         return false;
     }
 
-    /** A text in a language of its own is read as a whole, or not at all. */
+    /**
+     * Whoever reads the text of a table again sees where its lines end, and no repairs: there it
+     * does matter that a semicolon is missing.
+     */
     private static boolean isBroken(ParserRuleContext context) {
         return context.exception != null
-                || context instanceof ArcomatParser.ElementContext element
-                        && element.behaviour() != null
-                        && element.behaviour().ioTable() != null
-                        && hasGap(element.behaviour().ioTable());
-    }
-
-    private static boolean hasGap(ParserRuleContext context) {
-        for (int i = 0; i < context.getChildCount(); i++) {
-            ParseTree child = context.getChild(i);
-            if (child instanceof ErrorNode
-                    || child instanceof ParserRuleContext part
-                            && (part.exception != null || hasGap(part))) {
-                return true;
-            }
-        }
-        return false;
+                || OF_TABLES.contains(context.getRuleIndex())
+                        && context.stop.getType() != ArcomatLexer.SEMICOLON;
     }
 
     private void add(Token first, Token last) {

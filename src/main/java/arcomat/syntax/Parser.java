@@ -60,7 +60,8 @@ public final class Parser {
         return reading.findings().isEmpty()
                 ? Optional.of(
                         new Translated(
-                                unit(reading, UnaryOperator.identity()), unit(reading, places)))
+                                unit(reading, List.of(), UnaryOperator.identity()),
+                                unit(reading, List.of(), places)))
                 : Optional.empty();
     }
 
@@ -68,7 +69,7 @@ public final class Parser {
         if (!reading.findings().isEmpty()) {
             return new Parsed(Optional.empty(), recovered(reading), reading.findings());
         }
-        Unit unit = unit(reading, UnaryOperator.identity());
+        Unit unit = unit(reading, List.of(), UnaryOperator.identity());
         return new Parsed(Optional.of(unit), Optional.empty(), List.of());
     }
 
@@ -77,15 +78,16 @@ public final class Parser {
             return Optional.empty();
         }
         return Gaps.takeFrom(reading.root(), reading.file())
-                .map(gaps -> new Recovered(unit(reading, UnaryOperator.identity()), gaps));
+                .map(gaps -> new Recovered(unit(reading, gaps, UnaryOperator.identity()), gaps));
     }
 
-    private static Unit unit(Reading reading, UnaryOperator<Span> places) {
+    private static Unit unit(Reading reading, List<Span> gaps, UnaryOperator<Span> places) {
         return UnitBuilder.unit(
                 reading.file(),
                 Objects.requireNonNull(reading.root()),
                 reading.tokens().getTokens(),
                 reading.comments(),
+                gaps,
                 places);
     }
 }

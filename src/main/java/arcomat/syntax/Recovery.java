@@ -34,6 +34,8 @@ final class Recovery extends DefaultErrorStrategy {
                     ArcomatParser.RULE_element,
                     ArcomatParser.RULE_automatonElement,
                     ArcomatParser.RULE_statement,
+                    ArcomatParser.RULE_tableInputs,
+                    ArcomatParser.RULE_tableOutputs,
                     ArcomatParser.RULE_row,
                     ArcomatParser.RULE_typeDefinition,
                     ArcomatParser.RULE_typeMember,

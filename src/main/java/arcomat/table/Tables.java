@@ -31,12 +31,12 @@ public final class Tables implements SituatedLanguage {
 
     @Override
     public void translate(Written table, Vicinity around, Meaning meaning) {
-        WrittenTable text = WrittenTable.of(table.body().text());
+        WrittenTable text = WrittenTable.of(table.text());
         TableColumns columns = new TableColumns(table, around);
         List<TableColumn> inputs = columns.of(text.inputs(), Vicinity.Kind.INPUT, meaning);
         List<TableColumn> outputs = columns.of(text.outputs(), Vicinity.Kind.OUTPUT, meaning);
         meaning.stands().tell(TYPE_OF_ITEM, RowMeaning.CODE);
-        meaning.write(table.whole(), "state table; initial table;");
+        meaning.write(table.whole(), "state table; ").write(table.keyword(), "initial table;");
         for (int i = 0; i < text.rows().size(); i++) {
             WrittenTable.Row row = text.rows().get(i);
             Span place = table.part(row.start(), row.end());

@@ -30,13 +30,22 @@ public record LanguageTranslation(
 
     /** A behaviour as its language sees it. */
     public static Written written(Behaviour.Foreign behaviour) {
-        return new Written(behaviour.keyword().span(), behaviour.name(), behaviour.body());
+        return new Written(
+                behaviour.keyword().span(), behaviour.name(), behaviour.body(), behaviour.gaps());
     }
 
     public static LanguageTranslation of(Behaviour.Foreign behaviour, Meaning meaning) {
+        Span keyword = behaviour.keyword().span();
         List<Piece> pieces = new ArrayList<>();
-        pieces.add(own(behaviour.keyword().span(), "automaton {"));
-        pieces.addAll(meaning.pieces());
+        pieces.add(own(keyword, "automaton {"));
+        Optional<Span> element = Optional.empty();
+        for (Piece each : meaning.pieces()) {
+            if (!each.element().equals(element)) {
+                pieces.add(own(keyword, "\n")); // errors of one line may be echoes
+            }
+            element = each.element();
+            pieces.add(each);
+        }
         pieces.add(own(behaviour.span(), "}"));
         String path = behaviour.span().file().path() + ".ioautomaton";
         return new LanguageTranslation(behaviour, meaning, TranslatedText.of(path, pieces));

@@ -34,7 +34,7 @@ public record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> piece
     }
 
     /** The piece in which a part of the text begins. */
-    private Piece beginning(Span part) {
+    public Piece beginning(Span part) {
         return pieces.floorEntry(part.start()).getValue();
     }
 
@@ -103,7 +103,8 @@ public record TranslatedText(SourceFile file, NavigableMap<Integer, Piece> piece
                 .toList();
     }
 
-    private static boolean isTakenOver(Piece piece) {
+    /** Whether a piece stands in the language's text as it stands in this one. */
+    public static boolean isTakenOver(Piece piece) {
         return piece.place().text().equals(piece.text());
     }
 }

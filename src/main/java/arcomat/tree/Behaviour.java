@@ -44,6 +44,8 @@ public sealed interface Behaviour extends Element
      * A behaviour in another language, the tool's own or that of a guest: {@code blink lamp {..}}.
      *
      * @param body between the braces, as it was written
+     * @param gaps parts of the body that have errors in their syntax, which are told already; the
+     *     rest is read
      * @param automata what it means; none until somebody who knows the language has said so
      */
     record Foreign(
@@ -52,11 +54,21 @@ public sealed interface Behaviour extends Element
             Name keyword,
             Optional<Name> name,
             Span body,
+            List<Span> gaps,
             List<Automaton> automata)
             implements Behaviour {
+        public Foreign {
+            gaps = List.copyOf(gaps);
+        }
+
         /** With what it means. */
         public Foreign meaning(Automaton automaton) {
-            return new Foreign(span, stereotypes, keyword, name, body, List.of(automaton));
+            return new Foreign(span, stereotypes, keyword, name, body, gaps, List.of(automaton));
+        }
+
+        /** With parts that cannot be read. */
+        public Foreign without(List<Span> gaps) {
+            return new Foreign(span, stereotypes, keyword, name, body, gaps, automata);
         }
     }
 }

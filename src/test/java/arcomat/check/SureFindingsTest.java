@@ -14,6 +14,8 @@ import arcomat.tree.Unit;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -37,6 +39,10 @@ class SureFindingsTest {
     /** No braces: without them a file has no parts that could be read. */
     private static final Pattern TOKEN = Pattern.compile("[A-Za-z_]\\w*|[;,=()\\[\\]]|->");
 
+    /** The same, with what stands in tables. */
+    private static final Pattern TOKEN_OF_TABLES =
+            Pattern.compile("[A-Za-z_]\\w*|=>|--|\\d+|[;,=()|*\\[\\]]");
+
     /** Told of one component that breaks the law: where that is broken, of another one. */
     private static final String OF_THE_INNERMOST = "ARC0131";
 
@@ -49,16 +55,27 @@ class SureFindingsTest {
             data = paths.filter(Files::isRegularFile).sorted().toList();
         }
         return data.stream()
-                .map(path -> DynamicTest.dynamicTest(path.toString(), () -> breakEach(path)));
+                .map(
+                        path ->
+                                DynamicTest.dynamicTest(
+                                        path.toString(),
+                                        () -> breakEach(path, TOKEN, BREAKS_PER_FILE)));
     }
 
-    private static void breakEach(Path path) throws IOException {
+    /** Of a table, a row is left out and the others are read. */
+    @ParameterizedTest
+    @ValueSource(strings = {"TableCellFits", "TableColumnsExist", "TableRowWidth"})
+    void nowhereInATableDoesOneMakeOthers(String name) throws IOException {
+        breakEach(DATA.resolve(name + ".arc"), TOKEN_OF_TABLES, Integer.MAX_VALUE);
+    }
+
+    private static void breakEach(Path path, Pattern token, int most) throws IOException {
         List<SourceFile> files = DataFile.read(path).files();
         Set<String> before = told(files);
         for (int i = 0; i < files.size(); i++) {
             String text = files.get(i).text();
-            List<MatchResult> tokens = TOKEN.matcher(text).results().toList();
-            int step = Math.max(1, tokens.size() / BREAKS_PER_FILE);
+            List<MatchResult> tokens = token.matcher(text).results().toList();
+            int step = Math.max(1, tokens.size() / most);
             for (int j = 0; j < tokens.size(); j += step) {
                 List<SourceFile> broken = new ArrayList<>(files);
                 broken.set(i, without(tokens.get(j), files.get(i)));
@@ -118,7 +135,65 @@ class SureFindingsTest {
                                 Profile.EXECUTABLE));
     }
 
-    /** Else the law above would hold for a tool that tells nothing. */
+    /**
+     * Nor does a row hide others, or swallow the one behind it where the semicolon between them is
+     * missing.
+     */
+    @Test
+    void whatIsWrongBesideARowWithASyntaxErrorIsTold() {
+        SourceFile file =
+                new SourceFile(
+                        "Door.arc",
+                        """
+                        component Door {
+                          port in Integer[0..3] a, out Integer[0..3] b;
+                          table {
+                            in a;
+                            out b;
+                            | 0 | => | + |;
+                            | 1 | => | 3 |
+                            | 2 | => | 7 |;
+                            stray;
+                            | 3 | => | true |;
+                          }
+                        }
+                        """);
+        assertThat(Parser.parse(file).findings())
+                .extracting(each -> each.span().startPosition().line())
+                .containsExactly(6, 7, 9);
+        assertThat(told(List.of(file)))
+                .containsExactly("ARC0322 Door.arc:8:16", "ARC0336 Door.arc:10:16");
+    }
+
+    /**
+     * What columns there are is not known without the line that names them, which is no single one
+     * with the next where the semicolon between them is missing.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"in a b;", "in a, b"})
+    void whatARowHasTooMuchOfIsNotToldWhereColumnsCannotBeRead(String inputs) {
+        SourceFile file =
+                new SourceFile(
+                        "Door.arc",
+                        """
+                        component Door {
+                          port in Boolean a, in Boolean b, out Boolean c;
+                          table {
+                            %s
+                            out c;
+                            | true | * | => | true |;
+                            | * | * | => | + |;
+                          }
+                        }
+                        """
+                                .formatted(inputs));
+        assertThat(Parser.parse(file).findings())
+                .extracting(each -> each.span().startPosition().line())
+                .containsExactly(4, 7);
+        assertThat(told(List.of(file))).isEmpty();
+    }
+
+    /** Else the laws above would hold for a tool that tells nothing. */
     @Test
     void whatIsWrongBesideASyntaxErrorIsTold() {
         SourceFile file =

@@ -23,7 +23,8 @@ final class Laws {
                     new InvariantsAsTheReference(),
                     new WhyNothingFired(),
                     new MapsAsDefined(),
-                    new ConfigurationsAsByHand());
+                    new ConfigurationsAsByHand(),
+                    new FirstRowDecides());
 
     private Laws() {}
 }

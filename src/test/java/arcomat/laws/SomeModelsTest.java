@@ -62,6 +62,11 @@ class SomeModelsTest {
                 .anyMatch(models -> models.model().component("more.Main").isPresent());
     }
 
+    @Test
+    void theRowOfATableThatDecidesIsTheFirstThatFits() {
+        assertThat(tried(new FirstRowDecides(), 200)).hasSizeGreaterThan(120);
+    }
+
     /** Those of which the law says something. */
     private static List<Models> tried(Law law, int count) {
         List<Models> met = new ArrayList<>();

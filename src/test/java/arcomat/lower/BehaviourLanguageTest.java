@@ -52,15 +52,19 @@ class BehaviourLanguageTest {
                 .containsExactly(MAIN.resolve("translate/HouseLanguages.java"));
     }
 
-    /** What stands beside the texts: how tables are set, and where one goes on after a mistake. */
+    /**
+     * What stands beside the texts: how tables are set, and where one goes on after a mistake; its
+     * codes, and what completion offers where the grammar names its columns.
+     */
     @Test
-    void besidesOnlyTheSyntaxKnowsHowItLooks() {
+    void besidesTheSyntaxTwoPlacesKnowHowItLooks() {
         assertThat(sources(MAIN))
                 .filteredOn(file -> !file.startsWith(MAIN.resolve("table")))
                 .filteredOn(file -> lines(file).anyMatch(BehaviourLanguageTest::namesTables))
                 .filteredOn(file -> !file.startsWith(MAIN.resolve("syntax")))
-                .as("its codes")
-                .containsExactly(MAIN.resolve("check/language/LanguageLaws.java"));
+                .containsExactlyInAnyOrder(
+                        MAIN.resolve("check/language/LanguageLaws.java"),
+                        MAIN.resolve("editor/answer/completion/KnownNames.java"));
     }
 
     @Test
@@ -71,7 +75,8 @@ class BehaviourLanguageTest {
                 .map(file -> file.replaceFirst(".*/(\\w+)\\.java", "$1"))
                 .isNotEmpty()
                 .allSatisfy(name -> assertThat(section).contains("`" + name + "`"));
-        assertThat(section).contains("`HouseLanguages`", "`LanguageLaws`", "`arcomat.table`");
+        assertThat(section)
+                .contains("`HouseLanguages`", "`LanguageLaws`", "`KnownNames`", "`arcomat.table`");
     }
 
     /** The files below a folder whose code names the table, comments aside. */
@@ -91,7 +96,7 @@ class BehaviourLanguageTest {
     }
 
     private static boolean namesTables(String line) {
-        return line.matches(".*(?i:io_?table|table(row|symbol|lowering|cell)).*");
+        return line.matches(".*(?i:io_?table|table(row|symbol|lowering|cell|inputs|outputs)).*");
     }
 
     private static Stream<String> lines(Path file) {

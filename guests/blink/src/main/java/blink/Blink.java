@@ -66,7 +66,7 @@ public final class Blink implements Guest, SituatedLanguage {
             return;
         }
         List<Span> phases = new ArrayList<>();
-        Matcher phase = PHASE.matcher(behaviour.body().text());
+        Matcher phase = PHASE.matcher(behaviour.text());
         while (phase.find()) {
             phases.add(behaviour.part(phase.start(), phase.end()));
             if (phase.group(2).matches("0+")) {

@@ -6,6 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.value.GivenUp;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -75,15 +76,24 @@ public final class BitLetters {
     }
 
     /**
-     * A letter, by port; empty where there is none.
+     * A letter, by port; empty where there is none. Small numbers are preferred, which are easier
+     * to read.
      *
      * @throws GivenUp where that takes too long
      */
     public Optional<Value[]> find() {
         conclusions = 0;
-        return solver.solve()
+        return solver.solveWith(areBelow(7)) || solver.solveWith(areBelow(15)) || solver.solve()
                 ? Optional.of(ports.stream().map(this::message).toArray(Value[]::new))
                 : Optional.empty();
+    }
+
+    /** That all messages are numbers of so many bits. */
+    private int[] areBelow(int width) {
+        return ports.stream()
+                .flatMapToInt(port -> Arrays.stream(expressions.message(port)).skip(width))
+                .map(bit -> -bit)
+                .toArray();
     }
 
     private Value message(Port port) {

@@ -81,7 +81,7 @@ final class ReachabilityGraph {
         this.component = promise.component();
         this.budget = budget;
         this.behaviour = ComponentSemantics.of(component, promise.arguments());
-        this.stimuli = new Stimuli(behaviour, promise.arguments());
+        this.stimuli = new Stimuli(behaviour, promise.arguments(), budget::isSpent);
         this.obstacles = new Obstacles(behaviour);
     }
 

@@ -27,11 +27,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 
 /**
  * What an atomic component can be given in a configuration, one of each kind that its transitions
- * tell apart. Where these are too many, each transition is given what it alone tells apart; where
- * every value of a port matters, those are tried that the model mentions, and some beside them.
+ * tell apart. Where these are too many, or cannot be told, each transition is given what it alone
+ * tells apart; where every value of a port matters, those are tried that the model mentions, and
+ * some beside them.
  */
 final class Stimuli {
 
@@ -53,13 +55,18 @@ final class Stimuli {
     private final List<Port> ports;
     private final boolean timed;
     private final MentionedValues mentions;
+    private final CalculatedLetters calculated;
     private @Nullable String sampled;
 
-    Stimuli(ComponentSemantics behaviour, List<Value> arguments) {
+    /**
+     * @param stop asked now and then, whether to give up
+     */
+    Stimuli(ComponentSemantics behaviour, List<Value> arguments, BooleanSupplier stop) {
         this.behaviour = behaviour;
         this.ports = behaviour.component().inputs();
         this.timed = behaviour.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         this.mentions = MentionedValues.of(behaviour.component(), arguments);
+        this.calculated = new CalculatedLetters(behaviour, stop);
     }
 
     /** What has not been tried, where that is something. */
@@ -88,9 +95,11 @@ final class Stimuli {
         try {
             add(looks, letters);
         } catch (TooManyMessages problem) {
-            for (MentionedValues transition : transitions(configurations)) {
-                addSome(only(transition, looks), letters);
-            }
+            calculated
+                    .of(configurations, MOST_LETTERS)
+                    .ifPresentOrElse(
+                            all -> all.forEach(letter -> letters.add(Arrays.asList(letter))),
+                            () -> addByTransition(looks, configurations, letters));
         }
         List<Stimulus> stimuli = new ArrayList<>();
         for (List<Value> letter : letters) {
@@ -100,6 +109,13 @@ final class Stimuli {
                             Letter.of(ports, messages), Optional.of(Input.of(messages)), latched));
         }
         return stimuli;
+    }
+
+    private void addByTransition(
+            PortAbstraction[] looks, List<Configuration> configurations, Set<List<Value>> letters) {
+        for (MentionedValues transition : transitions(configurations)) {
+            addSome(only(transition, looks), letters);
+        }
     }
 
     /** What the transitions out of a configuration look at, each by itself. */

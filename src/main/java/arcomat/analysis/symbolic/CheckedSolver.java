@@ -35,17 +35,22 @@ public final class CheckedSolver {
 
     /** Whether all clauses can be true. */
     public boolean solve() {
+        boolean possible = solveWith();
+        if (!possible && !new UnitPropagation(clauses).refutes(conclusions, between)) {
+            throw new IllegalStateException("a solver has drawn a wrong conclusion");
+        }
+        return possible;
+    }
+
+    /** Whether they can, together with some literals. That they cannot is not checked. */
+    public boolean solveWith(int... literals) {
         for (; variables < clauses.variables(); variables++) {
             solver.variable();
         }
         for (; told < clauses.all().size(); told++) {
             solver.add(clauses.all().get(told));
         }
-        boolean possible = solver.solve();
-        if (!possible && !new UnitPropagation(clauses).refutes(conclusions, between)) {
-            throw new IllegalStateException("a solver has drawn a wrong conclusion");
-        }
-        return possible;
+        return solver.solve(literals);
     }
 
     /** Whether a literal is true in the way that was found. */

@@ -41,11 +41,24 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
     }
 
     /**
+     * What came of it.
+     *
+     * @param gaps parts of the text without which the rest can be read; none where that is not so
+     *     of all that is wrong
+     */
+    record Answer(Reading reading, List<Span> gaps) {
+        /** What is wrong with the whole. */
+        static Answer of(Reading reading) {
+            return new Answer(reading, List.of());
+        }
+    }
+
+    /**
      * What it means, or what is wrong.
      *
      * @param mayWait whether a guest may have nothing to say yet; the answer is empty then
      */
-    Reading ask(Question question, boolean mayWait) {
+    Answer ask(Question question, boolean mayWait) {
         Meaning meaning = new Meaning();
         Written written = LanguageTranslation.written(behaviour);
         try {
@@ -66,30 +79,59 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
         }
         List<Problem> problems = meaning.problems().stream().map(this::told).toList();
         if (!problems.isEmpty() && !meaning.isStanding()) {
-            return Reading.of(problems);
+            return beside(meaning.problems(), problems);
         }
         return mayWait && meaning.pieces().isEmpty()
-                ? Reading.of(problems)
+                ? Answer.of(Reading.of(problems))
                 : automaton(LanguageTranslation.of(behaviour, meaning), problems);
+    }
+
+    private Answer beside(List<Meaning.Problem> said, List<Problem> told) {
+        List<Span> gaps = said.stream().flatMap(each -> each.gap().stream()).toList();
+        if (!gaps.stream().allMatch(behaviour.body()::isAround)) {
+            return failed("it leaves out what does not stand in the text");
+        }
+        return new Answer(Reading.of(told), gaps.size() == said.size() ? gaps : List.of());
+    }
+
+    private String named() {
+        return " (guest '" + language.guest() + "')";
     }
 
     private Problem told(Meaning.Problem problem) {
         return new Problem(
                 problem.code().orElse(WRONG),
                 problem.place(),
-                problem.message() + " (guest '" + language.guest() + "')",
+                problem.message() + named(),
                 problem.related(),
                 problem.fix());
     }
 
-    private Reading automaton(LanguageTranslation translation, List<Problem> problems) {
+    private Answer automaton(LanguageTranslation translation, List<Problem> problems) {
         return translation
                 .reading(Parser::parse, problems)
+                .map(Answer::of)
                 .orElseGet(() -> unreadable(translation.text()));
     }
 
-    private Reading unreadable(TranslatedText text) {
-        Diagnostic first = Parser.parse(text.file()).findings().get(0);
+    /** What was taken over letter by letter was written by whoever wrote the behaviour. */
+    private Answer unreadable(TranslatedText text) {
+        List<Diagnostic> findings = Parser.parse(text.file()).findings();
+        List<TakenOver> written =
+                findings.stream().flatMap(each -> TakenOver.of(each, text).stream()).toList();
+        if (written.size() < findings.size()) {
+            return madeUnreadable(text, findings.get(0));
+        }
+        return new Answer(
+                Reading.of(written.stream().map(this::told).toList()),
+                written.stream().map(TakenOver::part).filter(behaviour.body()::isAround).toList());
+    }
+
+    private Problem told(TakenOver each) {
+        return new Problem(WRONG, each.place(), each.message() + named());
+    }
+
+    private Answer madeUnreadable(TranslatedText text, Diagnostic first) {
         String message =
                 "guest '%s' made of this behaviour what cannot be read: %s in '%s'; tell who wrote it"
                         .formatted(language.guest(), first.message(), line(first.span()));
@@ -100,14 +142,14 @@ record BehaviourTranslation(Behaviour.Foreign behaviour, Language language) {
         return place.file().line(place.startPosition().line()).strip();
     }
 
-    private Reading failed(String reason) {
+    private Answer failed(String reason) {
         String message =
                 "guest '%s' failed at this behaviour: %s; tell who wrote it"
                         .formatted(language.guest(), reason);
         return wrong(behaviour.keyword().span(), message);
     }
 
-    private static Reading wrong(Span place, String message) {
-        return Reading.of(List.of(new Problem(FAILED, place, message)));
+    private static Answer wrong(Span place, String message) {
+        return Answer.of(Reading.of(List.of(new Problem(FAILED, place, message))));
     }
 }

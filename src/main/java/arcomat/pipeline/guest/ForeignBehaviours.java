@@ -110,15 +110,36 @@ public final class ForeignBehaviours {
         if (language.isEmpty()) {
             return Optional.of(foreign);
         }
-        BehaviourLanguage translator = language.get().translator();
-        Reading reading =
-                new BehaviourTranslation(foreign, language.get())
-                        .ask(translator::translate, translator instanceof SituatedLanguage);
-        if (!reading.problems().isEmpty()) {
-            reading.problems().forEach(each -> findings.add(each.error()));
-            gaps.add(foreign.span());
+        BehaviourTranslation.Answer answer = ask(foreign, language.get());
+        answer.reading().problems().forEach(each -> findings.add(each.error()));
+        if (answer.reading().problems().isEmpty()) {
+            return Optional.of(meaning(foreign, answer.reading()));
+        }
+        Optional<Element> rest = rest(foreign, language.get(), answer.gaps());
+        gaps.addAll(rest.isPresent() ? answer.gaps() : List.of(foreign.span()));
+        return rest;
+    }
+
+    private static BehaviourTranslation.Answer ask(Behaviour.Foreign foreign, Language language) {
+        BehaviourLanguage translator = language.translator();
+        return new BehaviourTranslation(foreign, language)
+                .ask(translator::translate, translator instanceof SituatedLanguage);
+    }
+
+    private static Element meaning(Behaviour.Foreign foreign, Reading reading) {
+        return reading.automaton().map(foreign::meaning).orElse(foreign);
+    }
+
+    /** What can be read of a behaviour without some parts; nothing where those are not known. */
+    private static Optional<Element> rest(
+            Behaviour.Foreign foreign, Language language, List<Span> without) {
+        if (without.isEmpty()) {
             return Optional.empty();
         }
-        return Optional.of(reading.automaton().map(foreign::meaning).orElse(foreign));
+        Behaviour.Foreign rest = foreign.without(without);
+        Reading reading = ask(rest, language).reading();
+        return reading.problems().isEmpty()
+                ? Optional.of(meaning(rest, reading))
+                : Optional.empty();
     }
 }

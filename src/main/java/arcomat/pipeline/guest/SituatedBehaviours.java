@@ -59,7 +59,8 @@ final class SituatedBehaviours implements BehaviourReader {
         SituatedLanguage translator = (SituatedLanguage) language.translator();
         Reading now =
                 new BehaviourTranslation(behaviour, language)
-                        .ask((text, meaning) -> translator.translate(text, around, meaning), false);
+                        .ask((text, meaning) -> translator.translate(text, around, meaning), false)
+                        .reading();
         ofText.put(around, now);
         return now;
     }

@@ -22,15 +22,19 @@ final class ComponentBuilder extends TreeBuilder<Element> {
     private final AutomatonBuilder automata;
     private final Computations computations;
     private final List<Token> tokens;
+    private final List<Span> gaps;
 
     /**
      * @param tokens all those of the file
+     * @param gaps what is left out of it
      */
-    ComponentBuilder(Phrases phrases, AutomatonBuilder automata, List<Token> tokens) {
+    ComponentBuilder(
+            Phrases phrases, AutomatonBuilder automata, List<Token> tokens, List<Span> gaps) {
         super(phrases);
         this.automata = automata;
         this.computations = new Computations(phrases, automata.statements, tokens);
         this.tokens = tokens;
+        this.gaps = gaps;
     }
 
     // ---- components -----------------------------------------------------------------------
@@ -298,12 +302,14 @@ final class ComponentBuilder extends TreeBuilder<Element> {
             Name keyword,
             Optional<Name> name,
             Span braces) {
+        Span body = new Span(braces.file(), braces.start() + 1, braces.end() - 1);
         return new Behaviour.Foreign(
                 span(context),
                 phrases.stereotypes(stereotypes),
                 keyword,
                 name,
-                new Span(braces.file(), braces.start() + 1, braces.end() - 1),
+                body,
+                gaps.stream().filter(body::isAround).toList(),
                 List.of());
     }
 

@@ -21,18 +21,20 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
     private final AutomatonBuilder automata;
     private final ComponentBuilder components;
 
-    private UnitBuilder(Phrases phrases, List<Token> tokens, List<Comment> comments) {
+    private UnitBuilder(
+            Phrases phrases, List<Token> tokens, List<Comment> comments, List<Span> gaps) {
         super(phrases);
         this.comments = comments;
         BlockBuilder blocks = new BlockBuilder(phrases);
         this.automata = new AutomatonBuilder(phrases, blocks);
-        this.components = new ComponentBuilder(phrases, automata, tokens);
+        this.components = new ComponentBuilder(phrases, automata, tokens, gaps);
     }
 
     /**
      * @param context what an entry rule returned, without errors
      * @param tokens every token of the file, comments and its end included
      * @param comments every comment of the file in text order
+     * @param gaps what has been taken out of the context, since it has errors
      * @param places where what stands in the file is said to stand
      */
     public static Unit unit(
@@ -40,8 +42,9 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
             ParserRuleContext context,
             List<Token> tokens,
             List<Comment> comments,
+            List<Span> gaps,
             UnaryOperator<Span> places) {
-        return new UnitBuilder(new Phrases(file, places), tokens, comments).build(context);
+        return new UnitBuilder(new Phrases(file, places), tokens, comments, gaps).build(context);
     }
 
     @Override

@@ -31,8 +31,17 @@ final class AutomatonText {
      */
     static List<String> of(Draw draw, List<Plug> plugs, boolean events, String name) {
         AutomatonText text = new AutomatonText(draw, plugs, events);
+        if (name.isEmpty() && TableText.canBe(plugs) && draw.chance(Features.TABLES, 15)) {
+            return new TableText(draw, plugs, events, text::message).write(text.head());
+        }
         boolean computed = name.isEmpty() && !events && draw.chance(Features.COMPUTED, 15);
         return computed ? text.compute() : text.write(name);
+    }
+
+    /** A table instead. */
+    static List<String> table(Draw draw, List<Plug> plugs) {
+        AutomatonText text = new AutomatonText(draw, plugs, false);
+        return new TableText(draw, plugs, false, text::message).write(text.head());
     }
 
     private List<String> write(String name) {
@@ -303,16 +312,21 @@ final class AutomatonText {
     }
 
     private String sent(Plug output, List<Plug> present) {
+        String first = message(output, present);
+        return events && !first.equals("--") && draw.chance(20)
+                ? "[" + first + ", " + value(output.type(), present) + "]"
+                : first;
+    }
+
+    /** One message, or none. */
+    private String message(Plug output, List<Plug> present) {
         if (!events && draw.chance(Features.OPEN, 8)) {
             return "?";
         }
         if (!output.total() && draw.chance(8)) {
             return "--";
         }
-        String first = value(output.type(), present);
-        return events && draw.chance(20)
-                ? "[" + first + ", " + value(output.type(), present) + "]"
-                : first;
+        return value(output.type(), present);
     }
 
     /** A value to send or to keep: a constant, a message, a variable, or calculated. */

@@ -77,6 +77,22 @@ public final class ComponentText {
         return file(folder, name, lines);
     }
 
+    /** A table, about messages that are told apart by their texts; no row goes wrong. */
+    public static SourceFile table(Draw draw, String folder, String name) {
+        Draw plain =
+                draw.without(Features.UNBOUNDED)
+                        .without(Features.NUMBER_TYPES)
+                        .without(Features.ERRORS);
+        List<Plug> plugs =
+                plugs(plain, false).stream()
+                        .map(each -> each.delay() > 0 ? each.withTotal(false) : each)
+                        .toList();
+        List<String> lines = head(plain, folder, name, plugs, false);
+        lines.addAll(AutomatonText.table(plain, plugs));
+        lines.add("}");
+        return file(folder, name, lines);
+    }
+
     /** A composition cannot promise that a part sends in every slice. */
     public static List<Plug> withoutTotalOutputs(List<Plug> plugs) {
         return plugs.stream().map(p -> p.input() ? p : p.withTotal(false)).toList();

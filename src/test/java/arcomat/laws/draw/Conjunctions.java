@@ -14,14 +14,19 @@ public final class Conjunctions {
     private final List<Plug> plugs;
     private final SourceFile sole;
 
-    /** Nothing stands beside what is computed, so nothing is. */
+    /** Nothing stands beside what is computed, or beside a table, so nothing is one. */
     public Conjunctions(Draw draw) {
         this.draw = draw;
         this.events = draw.has(Features.EVENTS) && draw.chance(15);
         this.plugs = ComponentText.plugs(draw, events);
         this.sole =
                 ComponentText.atomic(
-                        draw.without(Features.COMPUTED), "a", "Main", plugs, events, 1);
+                        draw.without(Features.COMPUTED).without(Features.TABLES),
+                        "a",
+                        "Main",
+                        plugs,
+                        events,
+                        1);
     }
 
     /** {@code a.Main} with one automaton. */

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 /** Changes one line of a component, so that the old and the new one have something to do. */
 public final class Edits {
     private static final Pattern TRANSITION = Pattern.compile("s\\d+ -> s\\d+");
+    private static final Pattern CLAUSE = Pattern.compile(TRANSITION + "|=>");
     private static final Pattern CONSTANT =
             Pattern.compile("\\b(?:true|false|k|l|m)\\b|(?<= )[012]\\b");
     private static final Pattern COMPLETION = Pattern.compile("(?<=completion = \")\\w+");
@@ -94,17 +95,17 @@ public final class Edits {
     }
 
     private void without(List<String> lines) {
-        List<Integer> transitions = lines(lines, TRANSITION);
-        if (!transitions.isEmpty()) {
-            lines.remove((int) draw.one(transitions));
+        List<Integer> clauses = lines(lines, CLAUSE);
+        if (!clauses.isEmpty()) {
+            lines.remove((int) draw.one(clauses));
         }
     }
 
-    /** A further transition, much like one that is there. */
+    /** A further transition or row, much like one that is there. */
     private void beside(List<String> lines) {
-        List<Integer> transitions = lines(lines, TRANSITION);
-        if (!transitions.isEmpty()) {
-            int position = draw.one(transitions);
+        List<Integer> clauses = lines(lines, CLAUSE);
+        if (!clauses.isEmpty()) {
+            int position = draw.one(clauses);
             lines.add(position, lines.get(position));
             List<String> copy = new ArrayList<>(List.of(lines.get(position)));
             constant(copy);
@@ -115,7 +116,7 @@ public final class Edits {
     private void constant(List<String> lines) {
         List<Integer> possible =
                 lines(lines, CONSTANT).stream()
-                        .filter(i -> lines.get(i).matches("\\s+(?:s\\d|initial).*"))
+                        .filter(i -> lines.get(i).matches("\\s+(?:s\\d|initial|\\|).*"))
                         .toList();
         if (!possible.isEmpty()) {
             int position = draw.one(possible);

@@ -36,7 +36,9 @@ public enum Features {
     /** Conditions about each value of a set, and names for values. */
     QUANTIFIERS,
     /** Variables of which there are several of one name. */
-    ARRAYS;
+    ARRAYS,
+    /** Tables in the place of automata. */
+    TABLES;
 
     /**
      * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 /** All models that are a little smaller than given ones; many of them break a condition. */
 public final class Smaller {
     private static final Pattern STATE = Pattern.compile("\\bs([1-9]\\d*)\\b");
+    private static final Pattern BEHAVIOUR = Pattern.compile(" (?:automaton|table)\\b");
     private static final Pattern PORT = Pattern.compile("    port .*?(\\w+);");
     private static final Pattern BLOCK_ITEM = Pattern.compile("(?<=[{,] ?)[^{},]+(?:, )?");
     private static final Pattern STEREOTYPE = Pattern.compile("<<[^>]*>> ");
@@ -69,7 +70,7 @@ public final class Smaller {
     private void withoutAutomaton(int file) {
         List<String> lines = lines(file);
         for (int start = 0; start < lines.size(); start++) {
-            if (lines.get(start).contains(" automaton")) {
+            if (BEHAVIOUR.matcher(lines.get(start)).find()) {
                 List<String> fewer = new ArrayList<>(lines);
                 int end = start + fewer.subList(start, fewer.size()).indexOf("    }") + 1;
                 fewer.subList(start, end).clear();
