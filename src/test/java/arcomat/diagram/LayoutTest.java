@@ -2,12 +2,14 @@ package arcomat.diagram;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.diagram.Picture.Box;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
 import arcomat.translate.HouseLanguages;
@@ -24,6 +26,7 @@ import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -69,6 +72,68 @@ class LayoutTest {
         }
     }
 
+    /** Where no wire crosses another one for that. */
+    @Property(tries = 30)
+    void partsStandInTheOrderOfTheText(@ForAll @IntRange(min = 2, max = 12) int count) {
+        StringBuilder text = new StringBuilder("component Fan {\nport in Boolean i;\n");
+        text.append("component Lamp { port in Boolean i; }\n");
+        for (int part = 0; part < count; part++) {
+            // By their names they stood elsewhere.
+            String name = "p" + part * 7 % count + "x" + part;
+            text.append("component Lamp %s;\n".formatted(name));
+            text.append("connect i -> %s.i;\n".formatted(name));
+        }
+        Component fan = model(text.append("}\n").toString()).component("Fan").orElseThrow();
+        Graph graph = ComponentGraph.of(fan, ALL);
+        Picture picture = LayeredLayout.of(graph);
+        List<Box> parts =
+                graph.roots().get(0).children().stream()
+                        .map(part -> box(picture, part.mark()))
+                        .toList();
+        assertThat(parts).hasSize(count);
+        for (int i = 1; i < parts.size(); i++) {
+            assertThat(parts.get(i).y()).isGreaterThan(parts.get(i - 1).y());
+        }
+    }
+
+    /** As lines are read, however large each of them is. */
+    @Property(tries = 50)
+    void typesStandInTheOrderOfTheText(@ForAll List<@IntRange(min = 1, max = 9) Integer> sizes) {
+        Span place = new SourceFile("Types.cd", "").span(0, 0);
+        List<TypesGraph.TypeBox> types = new ArrayList<>();
+        for (int constants : sizes) {
+            types.add(
+                    new TypesGraph.TypeBox(
+                            "T" + types.size(),
+                            true,
+                            Collections.nCopies(constants, "constant"),
+                            Optional.empty(),
+                            place));
+        }
+        Graph graph = TypesGraph.of("Types", types, place);
+        Picture picture = LayeredLayout.of(graph);
+        List<Box> boxes =
+                graph.roots().get(0).children().stream()
+                        .map(type -> box(picture, type.mark()))
+                        .toList();
+        for (int i = 1; i < boxes.size(); i++) {
+            Box before = boxes.get(i - 1);
+            Box box = boxes.get(i);
+            assertThat(box.x() > before.x() || box.y() > before.y()).isTrue();
+            assertThat(box.y()).isGreaterThanOrEqualTo(before.y());
+        }
+    }
+
+    private static Box box(Picture picture, Mark mark) {
+        return picture.elements().stream()
+                .filter(each -> each.mark().equals(mark))
+                .flatMap(each -> each.shapes().stream())
+                .filter(Picture.Rectangle.class::isInstance)
+                .map(each -> ((Picture.Rectangle) each).box())
+                .findFirst()
+                .orElseThrow();
+    }
+
     /** Ten states and 45 transitions: all of it on a small screen, in letters that can be read. */
     @Test
     void aLargeAutomatonIsReadableOnASmallScreen() {
@@ -106,13 +171,17 @@ class LayoutTest {
     }
 
     private static Graph automaton(String text) {
+        return graphs(model(text)).get(1);
+    }
+
+    private static Model model(String text) {
         SourceFile file = new SourceFile("Counter.arc", text);
         Workspace workspace =
                 Workspace.of(
                         List.of(Parser.parse(file).unit().orElseThrow()),
                         Set.of(),
                         HouseLanguages.reader());
-        return graphs(Lowering.lower(workspace)).get(1);
+        return Lowering.lower(workspace);
     }
 
     @Property(tries = 150)
