@@ -33,6 +33,9 @@ final class CounterexampleRun {
     /** Steps of the interpreter in all tries: less than a second for forty parts. */
     private static final int MOST_STEPS = 10_000;
 
+    /** What it costs to begin a run, in steps: then all automata are made ready. */
+    private static final int BEGINNING = 50;
+
     private final Promise side;
     private final Network network;
     private final List<Moment> moments;
@@ -108,6 +111,7 @@ final class CounterexampleRun {
     /** The steps over all letters, and where time passes one more, which shows what is late. */
     private Optional<List<Trace.Step>> attempt(OrderedChoices choices) {
         choices.begin();
+        taken += BEGINNING;
         Interpreter interpreter =
                 new Interpreter(side.component(), side.arguments(), choices).explaining();
         List<Trace.Step> steps = new ArrayList<>();
