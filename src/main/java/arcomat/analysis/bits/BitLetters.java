@@ -17,8 +17,11 @@ import java.util.function.BooleanSupplier;
  * literals: negative where the opposite is meant. All gives up where something else comes in.
  */
 public final class BitLetters {
-    /** A solver that has concluded so much will hardly find an end. */
+    /** A solver that has concluded so much will hardly find an end, */
     private static final int MOST_CONCLUSIONS = 10_000;
+
+    /** .. nor one that has assigned so many bits. */
+    private static final long MOST_WORK = 40_000_000;
 
     private final List<Port> ports;
     private final BooleanSupplier stop;
@@ -40,7 +43,8 @@ public final class BitLetters {
     }
 
     private void count() {
-        if (++conclusions > MOST_CONCLUSIONS || stop.getAsBoolean()) {
+        boolean tooMuch = ++conclusions > MOST_CONCLUSIONS || solver.work() > MOST_WORK;
+        if (tooMuch || stop.getAsBoolean()) {
             throw new GivenUp("too much to conclude about bits");
         }
     }

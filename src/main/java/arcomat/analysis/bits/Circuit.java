@@ -1,6 +1,7 @@
 package arcomat.analysis.bits;
 
 import arcomat.analysis.symbolic.Clauses;
+import arcomat.semantics.value.GivenUp;
 
 import com.carrotsearch.hppc.LongIntHashMap;
 
@@ -11,6 +12,9 @@ import java.util.Arrays;
  * last one is the sign (two's complement). What is known beforehand needs no gate.
  */
 final class Circuit {
+    /** As many as some divisions of 64 bits have; more would take too much memory. */
+    private static final int MOST_GATES = 200_000;
+
     private final Clauses clauses;
 
     /** By their inputs, the smaller one first. */
@@ -20,6 +24,13 @@ final class Circuit {
 
     Circuit(Clauses clauses) {
         this.clauses = clauses;
+    }
+
+    /** One more is needed. */
+    private void insist() {
+        if (both.size() + different.size() >= MOST_GATES) {
+            throw new GivenUp("too many gates");
+        }
     }
 
     int of(boolean truth) {
@@ -46,6 +57,7 @@ final class Circuit {
         }
         long inputs = inputs(a, b);
         if (!both.containsKey(inputs)) {
+            insist();
             both.put(inputs, clauses.and(a, b));
         }
         return both.get(inputs);
@@ -67,6 +79,7 @@ final class Circuit {
         }
         long inputs = inputs(Math.abs(a), Math.abs(b));
         if (!different.containsKey(inputs)) {
+            insist();
             different.put(inputs, differs(Math.abs(a), Math.abs(b)));
         }
         int gate = different.get(inputs);

@@ -53,6 +53,11 @@ public final class CheckedSolver {
         return solver.solve(literals);
     }
 
+    /** How much has been done so far, in assignments: equal on every machine. */
+    public long work() {
+        return solver.work();
+    }
+
     /** Whether a literal is true in the way that was found. */
     public boolean isTrue(int literal) {
         return literal > 0 == solver.isTrue(Math.abs(literal));

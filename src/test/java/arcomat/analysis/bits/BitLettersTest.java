@@ -223,6 +223,17 @@ class BitLettersTest {
     }
 
     @Test
+    void circuitsDoNotGrowForEver() {
+        BitLetters letters = new BitLetters(PORTS, () -> false);
+        Expression number = read(2);
+        for (int i = 0; i < 20; i++) {
+            number = binary(BinaryOperator.DIVIDE, read(2), number, LONG);
+        }
+        Expression large = number;
+        assertThatThrownBy(() -> letters.areEqual(large, read(2))).isInstanceOf(GivenUp.class);
+    }
+
+    @Test
     void realNumbersAndTextsHaveNoBits() {
         BitLetters letters = new BitLetters(PORTS, () -> false);
         Port real = port("r", new Type.RealType(false));

@@ -49,9 +49,9 @@ final class SamplePages {
                         List.of(new Timeline.Flaw(7, "cmd", "fwd is missing")));
         String svg =
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
-                        + " height=\"20\" viewBox=\"0 0 80 20\"><g class=\"state\" data-state=\"0\">"
-                        + "<rect width=\"30\" height=\"20\"/></g><g class=\"state\" data-state=\"1\">"
-                        + "<rect x=\"40\" width=\"30\" height=\"20\"/></g></svg>";
+                    + " height=\"20\" viewBox=\"0 0 80 20\"><g class=\"state\""
+                    + " data-state=\"0\"><rect width=\"30\" height=\"20\"/></g><g class=\"state\""
+                    + " data-state=\"1\"><rect x=\"40\" width=\"30\" height=\"20\"/></g></svg>";
         Story story =
                 new Story(
                         "",
@@ -75,9 +75,10 @@ final class SamplePages {
                         Track.of("part c", "c.o", Track.Kind.PORT, Stream.of("2", "", "", "")));
         String svg =
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
-                        + " height=\"40\" viewBox=\"0 0 80 40\"><g class=\"port\" data-port=\"a.o\">"
-                        + "<rect x=\"10\" y=\"25\" width=\"6\" height=\"6\"/></g><g class=\"connector\""
-                        + " data-connector=\"a.o -> c.i\"><path d=\"M16,28 L60,28\"/></g></svg>";
+                    + " height=\"40\" viewBox=\"0 0 80 40\"><g class=\"port\""
+                    + " data-port=\"a.o\"><rect x=\"10\" y=\"25\" width=\"6\" height=\"6\"/></g><g"
+                    + " class=\"connector\" data-connector=\"a.o -> c.i\"><path d=\"M16,28"
+                    + " L60,28\"/></g></svg>";
         Drawing drawing = new Drawing("p.Whole", svg, List.of(), Map.of("a.o", "a.o"));
         Timeline timeline = new Timeline("slice", 4, List.of(), tracks, List.of());
         Story story = new Story("", Tone.NEUTRAL, "", List.of(), timeline, List.of(drawing));

@@ -62,12 +62,17 @@ public final class PagePacker {
     private static final Map<String, String> LIBRARIES = libraries();
 
     /**
-     * Comments that have lines of their own: a third of those libraries, and some of our scripts.
+     * Comments that have lines of their own: a third of those libraries, and some of our scripts
+     * and styles.
      */
     private static final Pattern COMMENT =
             Pattern.compile("(?m)^[ \\t]*(//.*|/\\*(?s:.*?)\\*/[ \\t]*)\\n");
 
-    private static final Pattern INDENTATION = Pattern.compile("(?m)^[ \\t]+");
+    /** Comments behind code; with a quote it might be the rest of a string. */
+    private static final Pattern REMARK = Pattern.compile("(?m)[ \\t]+//[^\\n'\"`]*$");
+
+    /** Empty lines as well. */
+    private static final Pattern INDENTATION = Pattern.compile("(?m)^\\s+");
 
     /** A line break of the compiler's between two tokens that need none, nor a blank. */
     private static final Pattern NEEDLESS_BREAK =
@@ -122,7 +127,7 @@ public final class PagePacker {
         scripts.add(script(" type=\"module\"", modules(sources)));
         String page =
                 Files.readString(sources.resolve("page.html"))
-                        .replace("@styles@", styles)
+                        .replace("@styles@", shortened(styles.toString()))
                         .replace("@scripts@", String.join("\n", scripts));
         Files.writeString(Path.of(args[5]), page);
     }
@@ -185,9 +190,10 @@ public final class PagePacker {
         return all.toString();
     }
 
-    /** For browsers alone: people read the scripts where they are written. */
+    /** For browsers alone: people read scripts and styles where they are written. */
     private static String shortened(String code) {
-        return INDENTATION.matcher(COMMENT.matcher(code).replaceAll("")).replaceAll("");
+        String bare = REMARK.matcher(COMMENT.matcher(code).replaceAll("")).replaceAll("");
+        return INDENTATION.matcher(bare).replaceAll("");
     }
 
     /** The one file of a library whose path ends so. */
