@@ -7,6 +7,7 @@ import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.refinement.Difference;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
+import arcomat.laws.Law.Outcome;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;

@@ -1,5 +1,6 @@
 package arcomat.laws;
 
+import arcomat.laws.Law.Outcome;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.source.SourceFile;

@@ -1,5 +1,6 @@
 package arcomat.laws;
 
+import arcomat.laws.Law.Outcome;
 import arcomat.laws.draw.Smaller;
 import arcomat.source.SourceFile;
 

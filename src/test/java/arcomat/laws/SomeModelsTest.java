@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.refinement.InvariantProof;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.laws.Law.Outcome;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.laws.naive.ByHand;

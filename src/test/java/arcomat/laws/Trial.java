@@ -1,5 +1,6 @@
 package arcomat.laws;
 
+import arcomat.laws.Law.Outcome;
 import arcomat.semantics.value.GivenUp;
 import arcomat.source.SourceFile;
 

@@ -1,9 +1,10 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.FieldElementContext;
-import montiarc7.MontiArc7Parser.PortsElementContext;
-import montiarc7.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.FieldElementContext;
+import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
+import montiarc7.source.Placed;
 
 import java.util.HashMap;
 import java.util.List;

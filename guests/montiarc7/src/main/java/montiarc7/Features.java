@@ -1,14 +1,20 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ArgumentsContext;
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ConstraintElementContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.InstanceElementContext;
-import montiarc7.MontiArc7Parser.LiteralExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentsContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ConstraintElementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceElementContext;
+import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.source.Folder;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
+import montiarc7.source.Placed;
+import montiarc7.statement.Choices;
+import montiarc7.statement.Guards;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

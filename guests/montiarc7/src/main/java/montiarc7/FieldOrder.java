@@ -1,9 +1,9 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ElementContext;
-import montiarc7.MontiArc7Parser.FieldContext;
-import montiarc7.MontiArc7Parser.FieldElementContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ElementContext;
+import montiarc7.grammar.MontiArc7Parser.FieldContext;
+import montiarc7.grammar.MontiArc7Parser.FieldElementContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
 
 import org.antlr.v4.runtime.tree.ParseTree;
 

@@ -1,12 +1,14 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ActionElementContext;
-import montiarc7.MontiArc7Parser.BeginningContext;
-import montiarc7.MontiArc7Parser.BlockContext;
-import montiarc7.MontiArc7Parser.InnerTransitionElementContext;
-import montiarc7.MontiArc7Parser.MachineElementContext;
-import montiarc7.MontiArc7Parser.StateElementContext;
-import montiarc7.MontiArc7Parser.TransitionElementContext;
+import montiarc7.grammar.MontiArc7Parser.ActionElementContext;
+import montiarc7.grammar.MontiArc7Parser.BeginningContext;
+import montiarc7.grammar.MontiArc7Parser.BlockContext;
+import montiarc7.grammar.MontiArc7Parser.InnerTransitionElementContext;
+import montiarc7.grammar.MontiArc7Parser.MachineElementContext;
+import montiarc7.grammar.MontiArc7Parser.StateElementContext;
+import montiarc7.grammar.MontiArc7Parser.TransitionElementContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

@@ -1,8 +1,13 @@
 package montiarc7;
 
 import montiarc7.Machine.State;
-import montiarc7.MontiArc7Parser.BlockContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BlockContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.source.Lack;
+import montiarc7.statement.ActionWriter;
+import montiarc7.statement.ExpressionWriter;
+import montiarc7.statement.Guards;
+import montiarc7.statement.Scope;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

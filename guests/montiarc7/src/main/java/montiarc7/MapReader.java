@@ -2,10 +2,12 @@ package montiarc7;
 
 import arcomat.source.SourceFile;
 
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.MapEntryContext;
-import montiarc7.MontiArc7Parser.MapPartContext;
-import montiarc7.MontiArc7Parser.MappingContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MapEntryContext;
+import montiarc7.grammar.MontiArc7Parser.MapPartContext;
+import montiarc7.grammar.MontiArc7Parser.MappingContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

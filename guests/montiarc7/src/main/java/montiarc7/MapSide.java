@@ -1,10 +1,13 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.AutomatonElementContext;
-import montiarc7.MontiArc7Parser.ElementContext;
-import montiarc7.MontiArc7Parser.PortDeclarationContext;
-import montiarc7.MontiArc7Parser.PortsElementContext;
-import montiarc7.MontiArc7Parser.UnitContext;
+import montiarc7.grammar.MontiArc7Parser.AutomatonElementContext;
+import montiarc7.grammar.MontiArc7Parser.ElementContext;
+import montiarc7.grammar.MontiArc7Parser.PortDeclarationContext;
+import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
+import montiarc7.grammar.MontiArc7Parser.UnitContext;
+import montiarc7.source.Folder;
+import montiarc7.source.Lacks;
+import montiarc7.source.TypeNames;
 
 import java.util.HashSet;
 import java.util.LinkedHashMap;

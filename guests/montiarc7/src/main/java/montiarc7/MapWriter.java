@@ -1,13 +1,18 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.ListExpressionContext;
-import montiarc7.MontiArc7Parser.MapEntryContext;
-import montiarc7.MontiArc7Parser.MapPartContext;
-import montiarc7.MontiArc7Parser.MappingContext;
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ListExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MapEntryContext;
+import montiarc7.grammar.MontiArc7Parser.MapPartContext;
+import montiarc7.grammar.MontiArc7Parser.MappingContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
+import montiarc7.statement.ExpressionWriter;
+import montiarc7.statement.Guards;
+import montiarc7.statement.Scope;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -131,7 +136,7 @@ final class MapWriter {
         }
 
         @Override
-        String port(String port) {
+        public String port(String port) {
             if (!side.hasPort(port)) {
                 lacks.missing(
                         Lack.MAP,
@@ -142,7 +147,7 @@ final class MapWriter {
         }
 
         @Override
-        String write(ExpressionContext expression) {
+        public String write(ExpressionContext expression) {
             if (expression instanceof ListExpressionContext list) {
                 return list.expression().isEmpty()
                         ? "--"
@@ -152,12 +157,12 @@ final class MapWriter {
         }
 
         @Override
-        String member(MemberExpressionContext member) {
+        protected String member(MemberExpressionContext member) {
             return member.name().getText();
         }
 
         @Override
-        boolean isConstant(MemberExpressionContext member) {
+        protected boolean isConstant(MemberExpressionContext member) {
             return true;
         }
     }

@@ -4,7 +4,11 @@ import arcomat.guest.Importer;
 import arcomat.guest.Transcription;
 import arcomat.source.SourceFile;
 
-import montiarc7.MontiArc7Parser.UnitContext;
+import montiarc7.grammar.MontiArc7Parser.UnitContext;
+import montiarc7.source.Folder;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
+import montiarc7.source.TypeNames;
 
 import java.util.ArrayList;
 import java.util.Arrays;

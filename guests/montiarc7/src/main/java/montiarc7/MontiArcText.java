@@ -2,8 +2,12 @@ package montiarc7;
 
 import arcomat.source.SourceFile;
 
-import montiarc7.MontiArc7Parser.MappingContext;
-import montiarc7.MontiArc7Parser.UnitContext;
+import montiarc7.grammar.MontiArc7Lexer;
+import montiarc7.grammar.MontiArc7Parser;
+import montiarc7.grammar.MontiArc7Parser.MappingContext;
+import montiarc7.grammar.MontiArc7Parser.UnitContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
 
 import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CharStreams;

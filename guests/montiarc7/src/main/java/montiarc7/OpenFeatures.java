@@ -1,13 +1,16 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ArgumentContext;
-import montiarc7.MontiArc7Parser.ArgumentsContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.FeatureElementContext;
-import montiarc7.MontiArc7Parser.InnerElementContext;
-import montiarc7.MontiArc7Parser.InstanceContext;
-import montiarc7.MontiArc7Parser.InstanceElementContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentsContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.FeatureElementContext;
+import montiarc7.grammar.MontiArc7Parser.InnerElementContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceElementContext;
+import montiarc7.source.Folder;
+import montiarc7.source.Placed;
+import montiarc7.statement.Choices;
 
 import java.util.HashSet;
 import java.util.Locale;

@@ -1,10 +1,13 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ArgumentContext;
-import montiarc7.MontiArc7Parser.ArgumentsContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.InstanceContext;
-import montiarc7.MontiArc7Parser.InstanceElementContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentsContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceElementContext;
+import montiarc7.source.Folder;
+import montiarc7.statement.ExpressionWriter;
+import montiarc7.statement.Scope;
 
 import java.util.ArrayList;
 import java.util.List;

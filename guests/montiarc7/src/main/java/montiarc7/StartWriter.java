@@ -1,9 +1,12 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.AssignStatementContext;
-import montiarc7.MontiArc7Parser.BlockContext;
-import montiarc7.MontiArc7Parser.BlockStatementContext;
-import montiarc7.MontiArc7Parser.StatementContext;
+import montiarc7.grammar.MontiArc7Parser.AssignStatementContext;
+import montiarc7.grammar.MontiArc7Parser.BlockContext;
+import montiarc7.grammar.MontiArc7Parser.BlockStatementContext;
+import montiarc7.grammar.MontiArc7Parser.StatementContext;
+import montiarc7.source.Lack;
+import montiarc7.statement.ActionWriter;
+import montiarc7.statement.Scope;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

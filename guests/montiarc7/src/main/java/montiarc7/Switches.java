@@ -1,15 +1,16 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ArgumentContext;
-import montiarc7.MontiArc7Parser.ArgumentsContext;
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ConstraintElementContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.ParameterContext;
-import montiarc7.MontiArc7Parser.VariationElementContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentContext;
+import montiarc7.grammar.MontiArc7Parser.ArgumentsContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ConstraintElementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ParameterContext;
+import montiarc7.grammar.MontiArc7Parser.VariationElementContext;
+import montiarc7.source.Folder;
 
 import org.antlr.v4.runtime.tree.ParseTree;
 

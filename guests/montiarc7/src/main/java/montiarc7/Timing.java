@@ -1,13 +1,15 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.AutomatonElementContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ComputeElementContext;
-import montiarc7.MontiArc7Parser.ElementContext;
-import montiarc7.MontiArc7Parser.MarkContext;
-import montiarc7.MontiArc7Parser.PortDeclarationContext;
-import montiarc7.MontiArc7Parser.PortsElementContext;
-import montiarc7.MontiArc7Parser.TimingElementContext;
+import montiarc7.grammar.MontiArc7Parser.AutomatonElementContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ComputeElementContext;
+import montiarc7.grammar.MontiArc7Parser.ElementContext;
+import montiarc7.grammar.MontiArc7Parser.MarkContext;
+import montiarc7.grammar.MontiArc7Parser.PortDeclarationContext;
+import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
+import montiarc7.grammar.MontiArc7Parser.TimingElementContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
 
 import java.util.ArrayList;
 import java.util.HashSet;

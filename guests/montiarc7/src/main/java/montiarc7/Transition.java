@@ -1,8 +1,8 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.ReactionContext;
-import montiarc7.MontiArc7Parser.StatementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ReactionContext;
+import montiarc7.grammar.MontiArc7Parser.StatementContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

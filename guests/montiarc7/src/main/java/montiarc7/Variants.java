@@ -1,12 +1,15 @@
 package montiarc7;
 
-import montiarc7.MontiArc7Parser.AutomatonElementContext;
-import montiarc7.MontiArc7Parser.BlockContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ComputeElementContext;
-import montiarc7.MontiArc7Parser.InitElementContext;
-import montiarc7.MontiArc7Parser.NameContext;
-import montiarc7.Placed.Side;
+import montiarc7.grammar.MontiArc7Parser.AutomatonElementContext;
+import montiarc7.grammar.MontiArc7Parser.BlockContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ComputeElementContext;
+import montiarc7.grammar.MontiArc7Parser.InitElementContext;
+import montiarc7.grammar.MontiArc7Parser.NameContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
+import montiarc7.source.Placed;
+import montiarc7.source.Placed.Side;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -11,7 +11,6 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 
 /**
  * Expressions over the messages of a letter, each of which is there, in bits: exactly as the
@@ -45,76 +44,33 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     /** The bits of a message that may be any of its type. */
     int[] message(Port port) {
-        return messages.computeIfAbsent(
-                port.name(),
-                name -> circuit.input(width(port.type()).orElseThrow(BitExpressions::noBits)));
+        return messages.computeIfAbsent(port.name(), name -> any(port.type()));
+    }
+
+    /** Of a type with a range only so many bits are open as it takes; the others are its sign. */
+    private int[] any(Type type) {
+        BitCodes codes = BitCodes.of(type);
+        return Circuit.resized(
+                circuit.input(Math.min(codes.needed(), codes.width())), codes.width());
     }
 
     /** Whether bits are those of a value of the type; all of them are, if they may be. */
     int isOf(int[] bits, Type type) {
-        return between(bits, least(type), most(type));
-    }
-
-    private int between(int[] bits, long low, long high) {
-        if (bits.length == 1) {
+        BitCodes codes = BitCodes.of(type);
+        if (codes.isTruth()) {
             return circuit.of(true);
         }
-        int[] least = circuit.constant(low, bits.length);
-        int[] most = circuit.constant(high, bits.length);
+        int[] least = circuit.constant(codes.least(), bits.length);
+        int[] most = circuit.constant(codes.most(), bits.length);
         return circuit.and(-circuit.isLess(bits, least), -circuit.isLess(most, bits));
     }
 
-    private static long least(Type type) {
-        return type instanceof Type.IntegerType integer ? integer.low() : 0;
-    }
-
-    private static long most(Type type) {
-        if (type instanceof Type.EnumType constants) {
-            return constants.constants().size() - 1L;
-        }
-        return type instanceof Type.IntegerType integer ? integer.high() : Character.MAX_VALUE;
+    int[] value(Value value, Type type) {
+        return circuit.constant(BitCodes.code(value), BitCodes.of(type).width());
     }
 
     private static GivenUp noBits() {
         return new GivenUp("there are no bits for it");
-    }
-
-    /** How many bits Java's arithmetic has for a type; empty where it is none for bits. */
-    static OptionalInt width(Type type) {
-        if (type instanceof Type.BooleanType) {
-            return OptionalInt.of(1);
-        }
-        if (type instanceof Type.IntegerType integer) {
-            return OptionalInt.of(integer.width() == Type.Width.LONG ? Long.SIZE : Integer.SIZE);
-        }
-        return type instanceof Type.EnumType || type instanceof Type.CharacterType
-                ? OptionalInt.of(Integer.SIZE)
-                : OptionalInt.empty();
-    }
-
-    int[] value(Value value, Type type) {
-        int width = width(type).orElseThrow(BitExpressions::noBits);
-        return circuit.constant(number(value), width);
-    }
-
-    private static long number(Value value) {
-        if (value instanceof Value.BooleanValue truth) {
-            return truth.value() ? 1 : 0;
-        }
-        return value instanceof Value.EnumValue constant ? constant.ordinal() : value.whole();
-    }
-
-    /** The value of a type of which a number is the code. */
-    static Value value(long number, Type type) {
-        if (type instanceof Type.BooleanType) {
-            return new Value.BooleanValue(number != 0);
-        }
-        if (type instanceof Type.EnumType constants) {
-            return new Value.EnumValue(constants, (int) number);
-        }
-        return type instanceof Type.CharacterType
-                ? new Value.CharacterValue((char) number)
-                : new Value.IntegerValue(number);
     }
 
     @Override
@@ -172,7 +128,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] conditional(Expression.Conditional choice) {
-        int width = width(choice.type()).orElseThrow(BitExpressions::noBits);
+        int width = BitCodes.of(choice.type()).width();
         return circuit.choose(
                 truth(choice.condition()),
                 Circuit.resized(bits(choice.then()), width),
@@ -198,9 +154,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                         case LONG -> Long.SIZE;
                     };
             int[] narrow = Circuit.resized(operand, Math.min(kept, operand.length));
-            return Circuit.resized(narrow, width(integer).orElseThrow());
+            return Circuit.resized(narrow, BitCodes.of(integer).width());
         }
-        return Circuit.resized(operand, width(cast.type()).orElseThrow(BitExpressions::noBits));
+        return Circuit.resized(operand, BitCodes.of(cast.type()).width());
     }
 
     @Override
@@ -214,7 +170,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private static int[] sized(int[] operand, Type type) {
-        return Circuit.resized(operand, width(type).orElseThrow(BitExpressions::noBits));
+        return Circuit.resized(operand, BitCodes.of(type).width());
     }
 
     @Override

@@ -17,18 +17,15 @@ import java.util.function.BooleanSupplier;
  * literals: negative where the opposite is meant. All gives up where something else comes in.
  */
 public final class BitLetters {
-    /** A solver that has concluded so much will hardly find an end, */
-    private static final int MOST_CONCLUSIONS = 10_000;
-
-    /** .. nor one that has assigned so many bits. */
-    private static final long MOST_WORK = 40_000_000;
+    /** Assignments for one letter: seconds. A solver that needs more hardly finds an end. */
+    private static final long MOST_WORK = 10_000_000;
 
     private final List<Port> ports;
     private final BooleanSupplier stop;
-    private final CheckedSolver solver = new CheckedSolver(this::count);
+    private final CheckedSolver solver = new CheckedSolver(this::insist);
     private final Circuit circuit = new Circuit(solver.clauses());
     private final BitExpressions expressions = new BitExpressions(circuit);
-    private int conclusions;
+    private long workBefore;
 
     /**
      * @param ports each with a message
@@ -42,9 +39,8 @@ public final class BitLetters {
         }
     }
 
-    private void count() {
-        boolean tooMuch = ++conclusions > MOST_CONCLUSIONS || solver.work() > MOST_WORK;
-        if (tooMuch || stop.getAsBoolean()) {
+    private void insist() {
+        if (solver.work() - workBefore > MOST_WORK || stop.getAsBoolean()) {
             throw new GivenUp("too much to conclude about bits");
         }
     }
@@ -86,7 +82,7 @@ public final class BitLetters {
      * @throws GivenUp where that takes too long
      */
     public Optional<Value[]> find() {
-        conclusions = 0;
+        workBefore = solver.work();
         return solver.solveWith(areBelow(7)) || solver.solveWith(areBelow(15)) || solver.solve()
                 ? Optional.of(ports.stream().map(this::message).toArray(Value[]::new))
                 : Optional.empty();
@@ -108,7 +104,8 @@ public final class BitLetters {
                 number |= 1L << i;
             }
         }
-        return BitExpressions.value(
-                bits.length == Integer.SIZE ? (int) number : number, port.type());
+        return BitCodes.of(port.type())
+                .meaning()
+                .apply(bits.length == Integer.SIZE ? (int) number : number);
     }
 }

@@ -137,6 +137,15 @@ final class Circuit {
         return sum(a, b, of(false));
     }
 
+    /** How many bits a number has that are not all copies of its sign. */
+    private static int needed(int[] number) {
+        int needed = number.length;
+        while (needed > 1 && number[needed - 1] == number[needed - 2]) {
+            needed--;
+        }
+        return needed;
+    }
+
     int[] difference(int[] a, int[] b) {
         return sum(a, complement(b), of(true));
     }
@@ -146,6 +155,13 @@ final class Circuit {
     }
 
     private int[] sum(int[] a, int[] b, int carry) {
+        int enough = Math.max(needed(a), needed(b)) + 1;
+        return enough < a.length
+                ? resized(added(resized(a, enough), resized(b, enough), carry), a.length)
+                : added(a, b, carry);
+    }
+
+    private int[] added(int[] a, int[] b, int carry) {
         int[] sum = new int[a.length];
         int over = carry;
         for (int i = 0; i < a.length; i++) {
@@ -158,6 +174,10 @@ final class Circuit {
 
     /** What fits of it; the same bits for the same factors, whichever comes first. */
     int[] product(int[] one, int[] other) {
+        int enough = needed(one) + needed(other);
+        if (enough < one.length) {
+            return resized(product(resized(one, enough), resized(other, enough)), one.length);
+        }
         int width = one.length;
         boolean inOrder = isFirst(one, other);
         int[] a = inOrder ? one : other;

@@ -1,6 +1,7 @@
 package arcomat.analysis.smt;
 
 import arcomat.analysis.smt.MessageExamples.Rows;
+import arcomat.analysis.smt.Remainders.Reading;
 import arcomat.model.Port;
 import arcomat.semantics.expression.PartialEvaluation;
 

@@ -1,13 +1,13 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.Deed.Choice;
-import montiarc7.Deed.Condition;
-import montiarc7.MontiArc7Parser.BlockContext;
-import montiarc7.MontiArc7Parser.BlockStatementContext;
-import montiarc7.MontiArc7Parser.BreakStatementContext;
-import montiarc7.MontiArc7Parser.StatementContext;
-import montiarc7.MontiArc7Parser.SwitchCaseContext;
-import montiarc7.MontiArc7Parser.SwitchStatementContext;
+import montiarc7.grammar.MontiArc7Parser.BlockContext;
+import montiarc7.grammar.MontiArc7Parser.BlockStatementContext;
+import montiarc7.grammar.MontiArc7Parser.BreakStatementContext;
+import montiarc7.grammar.MontiArc7Parser.StatementContext;
+import montiarc7.grammar.MontiArc7Parser.SwitchCaseContext;
+import montiarc7.grammar.MontiArc7Parser.SwitchStatementContext;
+import montiarc7.statement.Deed.Choice;
+import montiarc7.statement.Deed.Condition;
 
 import java.util.ArrayList;
 import java.util.List;

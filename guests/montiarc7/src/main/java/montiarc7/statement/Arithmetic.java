@@ -1,11 +1,11 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.LiteralExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
 
 import java.util.Optional;
 

@@ -1,15 +1,16 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.CallExpressionContext;
-import montiarc7.MontiArc7Parser.CastExpressionContext;
-import montiarc7.MontiArc7Parser.ChoiceExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.LiteralExpressionContext;
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CallExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CastExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ChoiceExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.source.Lack;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 
@@ -20,7 +21,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** Expressions in Arcomat's words, and which input ports they read. */
-class ExpressionWriter {
+public class ExpressionWriter {
     private static final Map<String, String> LIMITS =
             Map.of(
                     "Integer.MAX_VALUE", "2147483647",
@@ -30,11 +31,11 @@ class ExpressionWriter {
 
     private final Scope scope;
 
-    ExpressionWriter(Scope scope) {
+    public ExpressionWriter(Scope scope) {
         this.scope = scope;
     }
 
-    String write(ExpressionContext expression) {
+    public String write(ExpressionContext expression) {
         return new Bits(scope, this).write(expression).orElseGet(() -> plain(expression));
     }
 
@@ -98,7 +99,7 @@ class ExpressionWriter {
     }
 
     /** How a name is written. */
-    String port(String name) {
+    public String port(String name) {
         return name;
     }
 
@@ -108,12 +109,12 @@ class ExpressionWriter {
                 && member.name().getText().equals("equals");
     }
 
-    boolean isConstant(MemberExpressionContext member) {
+    protected boolean isConstant(MemberExpressionContext member) {
         return scope.types().refersToEnum(member.expression().getText());
     }
 
     /** A constant of an enum, with the type that it has. */
-    String member(MemberExpressionContext member) {
+    protected String member(MemberExpressionContext member) {
         String limit = LIMITS.get(member.getText());
         if (limit != null) {
             return limit;
@@ -166,7 +167,7 @@ class ExpressionWriter {
         return Character.isUpperCase(given.getText().codePointAt(0));
     }
 
-    final String unknown(ExpressionContext expression) {
+    protected final String unknown(ExpressionContext expression) {
         scope.lacks()
                 .missing(
                         Lack.EXPRESSION,

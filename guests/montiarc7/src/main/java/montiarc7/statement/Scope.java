@@ -1,6 +1,8 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
+import montiarc7.source.Lacks;
+import montiarc7.source.TypeNames;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -15,7 +17,7 @@ import java.util.Set;
  * @param declared the types of names, as far as this component says them
  * @param events whether steps are events, and not slices
  */
-record Scope(
+public record Scope(
         TypeNames types,
         Set<String> inputs,
         Set<String> outputs,
@@ -25,11 +27,11 @@ record Scope(
         boolean events,
         Lacks lacks) {
     /** Where nothing is known but ports that are read. */
-    static Scope ofPorts(Set<String> ports, Lacks lacks) {
+    public static Scope ofPorts(Set<String> ports, Lacks lacks) {
         return new Scope(null, ports, Set.of(), Set.of(), Known.NOTHING, Map.of(), false, lacks);
     }
 
-    Scope with(Set<String> more) {
+    public Scope with(Set<String> more) {
         Set<String> all = new HashSet<>(present);
         all.addAll(more);
         return new Scope(types, inputs, outputs, all, known, declared, events, lacks);
@@ -48,7 +50,7 @@ record Scope(
     }
 
     /** At the start nothing has been received, and not all outputs are seen. */
-    Scope atStart(Set<String> seen) {
+    public Scope atStart(Set<String> seen) {
         return new Scope(types, inputs, seen, Set.of(), known, declared, events, lacks);
     }
 

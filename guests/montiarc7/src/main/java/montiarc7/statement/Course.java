@@ -1,6 +1,6 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
 
 import java.util.HashMap;
 import java.util.HashSet;

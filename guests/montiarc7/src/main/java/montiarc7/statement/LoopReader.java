@@ -1,17 +1,17 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.Course.Next;
-import montiarc7.MontiArc7Parser.BreakStatementContext;
-import montiarc7.MontiArc7Parser.ChangeContext;
-import montiarc7.MontiArc7Parser.ContinueStatementContext;
-import montiarc7.MontiArc7Parser.DoStatementContext;
-import montiarc7.MontiArc7Parser.EachStatementContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.ForStatementContext;
-import montiarc7.MontiArc7Parser.IfStatementContext;
-import montiarc7.MontiArc7Parser.StatementContext;
-import montiarc7.MontiArc7Parser.VariableContext;
-import montiarc7.MontiArc7Parser.WhileStatementContext;
+import montiarc7.grammar.MontiArc7Parser.BreakStatementContext;
+import montiarc7.grammar.MontiArc7Parser.ChangeContext;
+import montiarc7.grammar.MontiArc7Parser.ContinueStatementContext;
+import montiarc7.grammar.MontiArc7Parser.DoStatementContext;
+import montiarc7.grammar.MontiArc7Parser.EachStatementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ForStatementContext;
+import montiarc7.grammar.MontiArc7Parser.IfStatementContext;
+import montiarc7.grammar.MontiArc7Parser.StatementContext;
+import montiarc7.grammar.MontiArc7Parser.VariableContext;
+import montiarc7.grammar.MontiArc7Parser.WhileStatementContext;
+import montiarc7.statement.Course.Next;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

@@ -1,11 +1,12 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.Deed.Block;
-import montiarc7.Deed.Choice;
-import montiarc7.Deed.Said;
-import montiarc7.Deed.Sent;
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.source.Lack;
+import montiarc7.statement.Deed.Block;
+import montiarc7.statement.Deed.Choice;
+import montiarc7.statement.Deed.Said;
+import montiarc7.statement.Deed.Sent;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

@@ -1,4 +1,4 @@
-package montiarc7;
+package montiarc7.source;
 
 import arcomat.guest.Transcription;
 import arcomat.source.SourceFile;
@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /** What is wrong with one file: the first thing that is missing, and how much more there is. */
-final class Lacks {
+public final class Lacks {
     private record Told(Lack lack, Span place, String message) {}
 
     private static final Pattern FLOATING =
@@ -23,49 +23,49 @@ final class Lacks {
     private final Set<Told> notes = new LinkedHashSet<>();
     private final Set<Told> missing = new LinkedHashSet<>();
 
-    Lacks(SourceFile file, Transcription transcription) {
+    public Lacks(SourceFile file, Transcription transcription) {
         this.file = file;
         this.transcription = transcription;
     }
 
     /** Of the same file, where what is wrong is told by somebody else. */
-    Lacks unheard() {
+    public Lacks unheard() {
         return new Lacks(file, transcription);
     }
 
     /** Whether the file does not speak of Double or float. */
-    boolean hasWholeNumbersOnly() {
+    public boolean hasWholeNumbersOnly() {
         return !FLOATING.matcher(file.text()).find();
     }
 
     /** Whether the file has a word. */
-    boolean says(String word) {
+    public boolean says(String word) {
         return Pattern.compile("\\b" + Pattern.quote(word) + "\\b").matcher(file.text()).find();
     }
 
-    boolean isAny() {
+    public boolean isAny() {
         return !missing.isEmpty();
     }
 
-    Span whole() {
+    public Span whole() {
         return file.span(0, 0);
     }
 
-    void missing(Lack lack, ParserRuleContext place, String message) {
+    public void missing(Lack lack, ParserRuleContext place, String message) {
         missing(lack, span(place), message);
     }
 
-    void missing(Lack lack, Span place, String message) {
+    public void missing(Lack lack, Span place, String message) {
         missing.add(new Told(lack, place, message));
     }
 
     /** Says what somebody has to know of a file that is converted. */
-    void note(Lack lack, ParserRuleContext place, String message) {
+    public void note(Lack lack, ParserRuleContext place, String message) {
         notes.add(new Told(lack, span(place), message));
     }
 
     /** Whether the file cannot be converted; this is told once. */
-    boolean tell() {
+    public boolean tell() {
         if (missing.isEmpty()) {
             notes.forEach(
                     each -> transcription.note(each.lack().code(), each.place(), each.message()));
@@ -87,7 +87,7 @@ final class Lacks {
     }
 
     /** ANTLR counts code points, and places count UTF-16 units. */
-    Span offsets(int start, int end) {
+    public Span offsets(int start, int end) {
         String text = file.text();
         int from =
                 text.offsetByCodePoints(0, Math.min(start, text.codePointCount(0, text.length())));

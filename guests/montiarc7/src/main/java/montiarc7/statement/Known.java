@@ -1,4 +1,4 @@
-package montiarc7;
+package montiarc7.statement;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -11,10 +11,10 @@ import java.util.Set;
  *
  * @param values of Integer or Long, as the variable is declared
  */
-record Known(Map<String, Number> values, Map<String, String> names) {
-    static final Known NOTHING = new Known(Map.of(), Map.of());
+public record Known(Map<String, Number> values, Map<String, String> names) {
+    public static final Known NOTHING = new Known(Map.of(), Map.of());
 
-    Known {
+    public Known {
         values = Map.copyOf(values);
         names = Map.copyOf(names);
     }

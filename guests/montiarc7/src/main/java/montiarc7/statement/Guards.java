@@ -1,14 +1,15 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BitExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.CallExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.ListExpressionContext;
-import montiarc7.MontiArc7Parser.LiteralExpressionContext;
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BitExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CallExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ListExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -21,10 +22,10 @@ import java.util.TreeSet;
  * What follows from guards. In Arcomat a guard that reads a silent port is undefined, and its
  * negation is too; so "not enabled" has to be said of each part, with silence as a way not to be.
  */
-final class Guards {
+public final class Guards {
     private final ExpressionWriter writer;
 
-    Guards(ExpressionWriter writer) {
+    public Guards(ExpressionWriter writer) {
         this.writer = writer;
     }
 
@@ -35,7 +36,8 @@ final class Guards {
      * @param own the other one
      * @param present ports that carry a message anyway
      */
-    String notTrue(ExpressionContext expression, List<ExpressionContext> own, Set<String> present) {
+    public String notTrue(
+            ExpressionContext expression, List<ExpressionContext> own, Set<String> present) {
         Set<String> known = new HashSet<>();
         own.forEach(each -> known.add(key(each)));
         List<String> ways =
@@ -47,7 +49,7 @@ final class Guards {
     }
 
     /** Whether an expression is true wherever another one is. */
-    boolean follows(ExpressionContext expression, ExpressionContext own) {
+    public boolean follows(ExpressionContext expression, ExpressionContext own) {
         List<String> known = parts(own).stream().map(this::key).toList();
         return parts(expression).stream().allMatch(each -> known.contains(key(each)));
     }
@@ -58,7 +60,7 @@ final class Guards {
     }
 
     /** Without brackets around the whole. */
-    static String bare(String text) {
+    public static String bare(String text) {
         if (!text.startsWith("(") || !text.endsWith(")") || text.matches(".*[\"'].*")) {
             return text;
         }
@@ -131,7 +133,7 @@ final class Guards {
     }
 
     /** Ports that carry a message where the expression is true. */
-    Set<String> presentIn(ExpressionContext expression) {
+    public Set<String> presentIn(ExpressionContext expression) {
         Set<String> present = new HashSet<>();
         for (ExpressionContext part : parts(expression)) {
             String asked = ExpressionWriter.silence(part);
@@ -159,7 +161,7 @@ final class Guards {
     }
 
     /** Whether two guards are evidently never true together. */
-    boolean exclude(ExpressionContext one, ExpressionContext other) {
+    public boolean exclude(ExpressionContext one, ExpressionContext other) {
         for (ExpressionContext first : parts(one)) {
             for (ExpressionContext second : parts(other)) {
                 if (contradict(first, second) || contradict(second, first)) {
@@ -217,7 +219,7 @@ final class Guards {
     }
 
     /** What has to be true together. */
-    static List<ExpressionContext> parts(ExpressionContext at) {
+    public static List<ExpressionContext> parts(ExpressionContext at) {
         List<ExpressionContext> parts = new ArrayList<>();
         ExpressionContext expression = plain(at);
         if (expression instanceof BinaryExpressionContext binary

@@ -1,15 +1,15 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.AssignStatementContext;
-import montiarc7.MontiArc7Parser.CallExpressionContext;
-import montiarc7.MontiArc7Parser.CallStatementContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.LocalStatementContext;
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.NewExpressionContext;
-import montiarc7.MontiArc7Parser.StatementContext;
-import montiarc7.MontiArc7Parser.VariableContext;
+import montiarc7.grammar.MontiArc7Parser.AssignStatementContext;
+import montiarc7.grammar.MontiArc7Parser.CallExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CallStatementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.LocalStatementContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NewExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.StatementContext;
+import montiarc7.grammar.MontiArc7Parser.VariableContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

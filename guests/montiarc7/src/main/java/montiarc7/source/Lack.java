@@ -1,7 +1,7 @@
-package montiarc7;
+package montiarc7.source;
 
 /** What an original may have that cannot be said in Arcomat, or that somebody has to know. */
-enum Lack {
+public enum Lack {
     UNREADABLE("MONT0001"),
     MODES("MONT0002"),
     TICKS_AND_EVENTS("MONT0003"),
@@ -26,7 +26,7 @@ enum Lack {
         this.code = code;
     }
 
-    String code() {
+    public String code() {
         return code;
     }
 }

@@ -1,9 +1,9 @@
-package montiarc7;
+package montiarc7.source;
 
-import montiarc7.MontiArc7Parser.ElementContext;
-import montiarc7.MontiArc7Parser.GroupElementContext;
-import montiarc7.MontiArc7Parser.SoleModeElementContext;
-import montiarc7.MontiArc7Parser.VariationElementContext;
+import montiarc7.grammar.MontiArc7Parser.ElementContext;
+import montiarc7.grammar.MontiArc7Parser.GroupElementContext;
+import montiarc7.grammar.MontiArc7Parser.SoleModeElementContext;
+import montiarc7.grammar.MontiArc7Parser.VariationElementContext;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,20 +13,20 @@ import java.util.List;
  *
  * @param sides none where it is there in all variants
  */
-record Placed(ElementContext element, List<Side> sides) {
+public record Placed(ElementContext element, List<Side> sides) {
     /**
      * One side of a variation.
      *
      * @param holds whether its condition is true there
      */
-    record Side(VariationElementContext variation, boolean holds) {
+    public record Side(VariationElementContext variation, boolean holds) {
         boolean excludes(Side other) {
             return variation == other.variation && holds != other.holds;
         }
     }
 
     /** All elements, those in variations too, in the order of the text. */
-    static List<Placed> of(List<ElementContext> elements) {
+    public static List<Placed> of(List<ElementContext> elements) {
         List<Placed> all = new ArrayList<>();
         collect(elements, List.of(), all);
         return all;
@@ -49,14 +49,15 @@ record Placed(ElementContext element, List<Side> sides) {
         }
     }
 
-    static List<Side> and(List<Side> sides, VariationElementContext variation, boolean holds) {
+    public static List<Side> and(
+            List<Side> sides, VariationElementContext variation, boolean holds) {
         List<Side> all = new ArrayList<>(sides);
         all.add(new Side(variation, holds));
         return List.copyOf(all);
     }
 
     /** Whether some variant has the element and what stands on other sides. */
-    boolean goesWith(List<Side> others) {
+    public boolean goesWith(List<Side> others) {
         return sides.stream().noneMatch(each -> others.stream().anyMatch(each::excludes));
     }
 }

@@ -1,7 +1,9 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.TypeContext;
-import montiarc7.MontiArc7Parser.VariableContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.VariableContext;
+import montiarc7.source.Lack;
+import montiarc7.source.Lacks;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

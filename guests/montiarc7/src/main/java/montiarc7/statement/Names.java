@@ -1,7 +1,7 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

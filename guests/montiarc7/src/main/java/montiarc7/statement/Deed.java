@@ -1,6 +1,6 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
 
 import java.util.List;
 import java.util.Optional;

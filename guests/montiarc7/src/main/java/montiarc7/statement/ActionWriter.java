@@ -1,9 +1,9 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.Deed.Block;
-import montiarc7.MontiArc7Parser.AssignStatementContext;
-import montiarc7.MontiArc7Parser.AssignStepStatementContext;
-import montiarc7.MontiArc7Parser.StepStatementContext;
+import montiarc7.grammar.MontiArc7Parser.AssignStatementContext;
+import montiarc7.grammar.MontiArc7Parser.AssignStepStatementContext;
+import montiarc7.grammar.MontiArc7Parser.StepStatementContext;
+import montiarc7.statement.Deed.Block;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 
@@ -13,15 +13,15 @@ import java.util.List;
 import java.util.Set;
 
 /** Actions as statements behind 'do', which are sequential there as they are in MontiArc. */
-final class ActionWriter {
+public final class ActionWriter {
     private final Scope scope;
 
-    ActionWriter(Scope scope) {
+    public ActionWriter(Scope scope) {
         this.scope = scope;
     }
 
     /** What is done one after the other; empty where nothing is. */
-    String write(List<? extends ParserRuleContext> actions) {
+    public String write(List<? extends ParserRuleContext> actions) {
         List<Deed> deeds = new ArrayList<>();
         for (ParserRuleContext action : actions) {
             List<Deed> done = ActionReader.read(action, scope);
@@ -38,12 +38,12 @@ final class ActionWriter {
     }
 
     /** Whether something may be sent. */
-    boolean sends(ParserRuleContext action) {
+    public boolean sends(ParserRuleContext action) {
         return !assigned(action, true).isEmpty();
     }
 
     /** The names that something is assigned to, but for ports. */
-    Set<String> assigned(ParserRuleContext action) {
+    public Set<String> assigned(ParserRuleContext action) {
         return assigned(action, false);
     }
 

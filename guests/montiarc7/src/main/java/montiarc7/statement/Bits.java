@@ -1,12 +1,12 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.Kinds.Kind;
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BitExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
-import montiarc7.MontiArc7Parser.ShiftExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BitExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ShiftExpressionContext;
+import montiarc7.statement.Kinds.Kind;
 
 import java.util.Map;
 import java.util.Optional;

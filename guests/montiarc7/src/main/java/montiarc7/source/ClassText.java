@@ -1,4 +1,4 @@
-package montiarc7;
+package montiarc7.source;
 
 import java.util.HashMap;
 import java.util.Map;

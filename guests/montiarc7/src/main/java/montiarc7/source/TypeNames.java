@@ -1,12 +1,13 @@
-package montiarc7;
+package montiarc7.source;
 
-import montiarc7.MontiArc7Parser.CallExpressionContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.ImportingContext;
-import montiarc7.MontiArc7Parser.NewExpressionContext;
-import montiarc7.MontiArc7Parser.TypeContext;
-import montiarc7.MontiArc7Parser.UnitContext;
+import montiarc7.grammar.MontiArc7Parser;
+import montiarc7.grammar.MontiArc7Parser.CallExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ImportingContext;
+import montiarc7.grammar.MontiArc7Parser.NewExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.UnitContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 
@@ -20,7 +21,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /** What the names of types in one file mean, and what the converted file has to import. */
-final class TypeNames {
+public final class TypeNames {
     /** Java's boxed and simple types are one here. */
     private static final Map<String, String> OWN =
             Map.ofEntries(
@@ -55,7 +56,7 @@ final class TypeNames {
 
     private final Set<String> imports = new TreeSet<>();
 
-    TypeNames(UnitContext unit, Folder folder, Lacks lacks) {
+    public TypeNames(UnitContext unit, Folder folder, Lacks lacks) {
         this.unit = unit;
         this.packageName = packageOf(unit);
         this.folder = folder;
@@ -63,7 +64,7 @@ final class TypeNames {
         unit.importing().forEach(this::keep);
     }
 
-    static String packageOf(UnitContext unit) {
+    public static String packageOf(UnitContext unit) {
         return unit.qname() == null ? "" : unit.qname().getText();
     }
 
@@ -80,7 +81,7 @@ final class TypeNames {
     }
 
     /** The names that a component brings for all that is in it. */
-    void enter(ComponentContext component) {
+    public void enter(ComponentContext component) {
         if (component.typeParameters() != null) {
             component
                     .typeParameters()
@@ -112,7 +113,7 @@ final class TypeNames {
     }
 
     /** What methods get. */
-    List<ExpressionContext> given() {
+    public List<ExpressionContext> given() {
         return given;
     }
 
@@ -120,17 +121,17 @@ final class TypeNames {
      * Whether it is of a type of which nobody can change what is in it: a number, a text, a
      * constant.
      */
-    boolean isValue(String type) {
+    public boolean isValue(String type) {
         String simple = ClassText.simple(type);
         return OWN.containsKey(simple) || folder.constants(simple).isPresent();
     }
 
-    Set<String> imports() {
+    public Set<String> imports() {
         return imports;
     }
 
     /** A type of messages. */
-    String message(TypeContext type) {
+    public String message(TypeContext type) {
         if (type.getText().endsWith("]")) {
             lacks.missing(
                     Lack.STRUCTURE,
@@ -141,12 +142,12 @@ final class TypeNames {
     }
 
     /** Whether nobody here knows what a type has for values. */
-    boolean isOpaque(TypeContext type) {
+    public boolean isOpaque(TypeContext type) {
         return known(type).isEmpty();
     }
 
     /** What arguments of a type parameter have to be; nothing where nobody here knows the type. */
-    Optional<String> bound(TypeContext type) {
+    public Optional<String> bound(TypeContext type) {
         Optional<String> known = known(type);
         if (known.isEmpty()) {
             lacks.note(
@@ -202,25 +203,25 @@ final class TypeNames {
     }
 
     /** A type of messages by its full name, which nothing has to import. */
-    String full(TypeContext type) {
+    public String full(TypeContext type) {
         String name = message(type);
         return imports.stream().filter(each -> each.endsWith("." + name)).findFirst().orElse(name);
     }
 
     /** The type of an attribute that objects of some type have; nothing where they have none. */
-    Optional<String> attribute(String type, String attribute) {
+    public Optional<String> attribute(String type, String attribute) {
         return isType(type)
                 ? folder.attribute(ClassText.simple(type), attribute)
                 : Optional.empty();
     }
 
     /** Whether a name stands for a type of a class diagram. */
-    boolean isType(String name) {
+    public boolean isType(String name) {
         return diagram(name).isPresent();
     }
 
     /** The same; it is imported then. */
-    boolean refersToEnum(String name) {
+    public boolean refersToEnum(String name) {
         Optional<String> known = diagram(name);
         String plain = name.substring(name.lastIndexOf('.') + 1);
         known.ifPresent(each -> imports.add(each + "." + plain));
@@ -255,7 +256,7 @@ final class TypeNames {
     }
 
     /** A type of parts, or of what is extended. */
-    String component(TypeContext type) {
+    public String component(TypeContext type) {
         String text = type.qname().getText();
         if (type.typeArguments() == null) {
             return text;

@@ -1,8 +1,8 @@
-package montiarc7;
+package montiarc7.source;
 
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.PortDeclarationContext;
-import montiarc7.MontiArc7Parser.PortsElementContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.PortDeclarationContext;
+import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -17,7 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** What there is in all files of the folder: components, types, and types from elsewhere. */
-final class Folder {
+public final class Folder {
     /** The class diagram of types that no file defines. */
     static final String OPAQUE = "imported.Types";
 
@@ -45,7 +45,7 @@ final class Folder {
     private final Set<String> opaque = new TreeSet<>();
 
     /** The full name of the diagram that a text defines. */
-    Optional<String> addDiagram(String text) {
+    public Optional<String> addDiagram(String text) {
         String code = COMMENT.matcher(text).replaceAll(" ");
         Matcher name = DIAGRAM.matcher(code);
         if (!name.find()) {
@@ -90,12 +90,12 @@ final class Folder {
     }
 
     /** All constants of an enumeration; nothing where several have this simple name. */
-    Optional<List<String>> constants(String simple) {
+    public Optional<List<String>> constants(String simple) {
         Set<List<String>> all = constants.getOrDefault(simple, Set.of());
         return all.size() == 1 ? Optional.of(all.iterator().next()) : Optional.empty();
     }
 
-    void addComponent(String packageName, ComponentContext component) {
+    public void addComponent(String packageName, ComponentContext component) {
         packages.add(packageName);
         components.put(qualified(packageName, component.name(0).getText()), component);
     }
@@ -108,12 +108,12 @@ final class Folder {
         return components.containsKey(full);
     }
 
-    static String qualified(String packageName, String name) {
+    public static String qualified(String packageName, String name) {
         return packageName.isEmpty() ? name : packageName + "." + name;
     }
 
     /** A component by its simple name, where only one has it. */
-    Optional<ComponentContext> component(String simple) {
+    public Optional<ComponentContext> component(String simple) {
         List<ComponentContext> found = new ArrayList<>();
         components.forEach(
                 (full, each) -> {
@@ -129,7 +129,8 @@ final class Folder {
      *
      * @param sides on which the ports are asked for
      */
-    Set<String> ports(ComponentContext component, String direction, List<Placed.Side> sides) {
+    public Set<String> ports(
+            ComponentContext component, String direction, List<Placed.Side> sides) {
         Set<String> names = new HashSet<>();
         Set<ComponentContext> seen = new HashSet<>();
         ComponentContext at = component;
@@ -177,7 +178,7 @@ final class Folder {
         opaque.add(name);
     }
 
-    Optional<String> opaqueDiagram() {
+    public Optional<String> opaqueDiagram() {
         if (opaque.isEmpty()) {
             return Optional.empty();
         }

@@ -1,17 +1,17 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BitExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.CallExpressionContext;
-import montiarc7.MontiArc7Parser.CastExpressionContext;
-import montiarc7.MontiArc7Parser.ChoiceExpressionContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.LiteralExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
-import montiarc7.MontiArc7Parser.ShiftExpressionContext;
-import montiarc7.MontiArc7Parser.TypeContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BitExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CallExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.CastExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ChoiceExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ShiftExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.TypeContext;
 
 import java.util.List;
 

@@ -1,13 +1,14 @@
-package montiarc7;
+package montiarc7.statement;
 
-import montiarc7.MontiArc7Parser.BinaryExpressionContext;
-import montiarc7.MontiArc7Parser.BracketExpressionContext;
-import montiarc7.MontiArc7Parser.ComponentContext;
-import montiarc7.MontiArc7Parser.ConstraintElementContext;
-import montiarc7.MontiArc7Parser.ExpressionContext;
-import montiarc7.MontiArc7Parser.MemberExpressionContext;
-import montiarc7.MontiArc7Parser.NameExpressionContext;
-import montiarc7.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BinaryExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.BracketExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.ComponentContext;
+import montiarc7.grammar.MontiArc7Parser.ConstraintElementContext;
+import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.MemberExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
+import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.source.Placed;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -17,10 +18,10 @@ import java.util.Optional;
  * What the constraints of a component choose for its parts: in MontiArc a constraint speaks of
  * features of parts, 'part.f == g', and here an argument of the part says the same.
  */
-final class Choices {
+public final class Choices {
     private final Map<String, ExpressionContext> chosen = new LinkedHashMap<>();
 
-    Choices(ComponentContext component) {
+    public Choices(ComponentContext component) {
         for (Placed each : Placed.of(component.element())) {
             if (each.element() instanceof ConstraintElementContext constraint) {
                 Guards.parts(constraint.expression()).forEach(this::keep);
@@ -33,12 +34,12 @@ final class Choices {
     }
 
     /** What chooses a feature of a part. */
-    Optional<ExpressionContext> of(String part, String feature) {
+    public Optional<ExpressionContext> of(String part, String feature) {
         return Optional.ofNullable(chosen.get(part + "." + feature));
     }
 
     /** The feature of a part that an equation, or the feature alone, chooses. */
-    static Optional<MemberExpressionContext> ofPart(ExpressionContext at) {
+    public static Optional<MemberExpressionContext> ofPart(ExpressionContext at) {
         ExpressionContext expression = bare(at);
         if (expression instanceof PrefixExpressionContext prefix
                 && prefix.op.getText().equals("!")) {
@@ -67,12 +68,12 @@ final class Choices {
                 && binary.op.getText().matches("==|<=>");
     }
 
-    static boolean isOfPart(ExpressionContext expression) {
+    public static boolean isOfPart(ExpressionContext expression) {
         return expression instanceof MemberExpressionContext member
                 && member.expression() instanceof NameExpressionContext;
     }
 
-    static ExpressionContext bare(ExpressionContext expression) {
+    public static ExpressionContext bare(ExpressionContext expression) {
         return expression instanceof BracketExpressionContext bracket
                 ? bare(bracket.expression())
                 : expression;

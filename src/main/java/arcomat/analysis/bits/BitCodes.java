@@ -1,0 +1,99 @@
+package arcomat.analysis.bits;
+
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.value.GivenUp;
+
+import java.util.function.LongFunction;
+
+/**
+ * The values of a type as numbers: constants of enumerations and characters have their position,
+ * truth values are 0 and 1.
+ *
+ * @param width how many bits Java's arithmetic has for them
+ * @param meaning the value that a number is the code of
+ */
+record BitCodes(int width, long least, long most, LongFunction<Value> meaning) {
+    private static final BitCodes TRUTHS =
+            new BitCodes(1, 0, 1, number -> new Value.BooleanValue(number != 0));
+    private static final BitCodes CHARACTERS =
+            new BitCodes(
+                    Integer.SIZE,
+                    0,
+                    Character.MAX_VALUE,
+                    number -> new Value.CharacterValue((char) number));
+
+    /**
+     * @throws GivenUp for real numbers, texts and objects
+     */
+    static BitCodes of(Type type) {
+        return type.match(new OfTypes());
+    }
+
+    /** The number of a value, whatever its type. */
+    static long code(Value value) {
+        if (value instanceof Value.BooleanValue truth) {
+            return truth.value() ? 1 : 0;
+        }
+        return value instanceof Value.EnumValue constant ? constant.ordinal() : value.whole();
+    }
+
+    boolean isTruth() {
+        return width == 1;
+    }
+
+    /** So many bits tell all of them apart; those above are copies of the sign. */
+    int needed() {
+        long farthest = Math.max(most, -1 - least);
+        return isTruth() ? 1 : Long.SIZE - Long.numberOfLeadingZeros(farthest) + 1;
+    }
+
+    private static final class OfTypes implements Type.Cases<BitCodes> {
+        private static GivenUp noBits(Type type) {
+            return new GivenUp("there are no bits for values of " + type.name());
+        }
+
+        @Override
+        public BitCodes booleanType(Type.BooleanType type) {
+            return TRUTHS;
+        }
+
+        @Override
+        public BitCodes integerType(Type.IntegerType type) {
+            return new BitCodes(
+                    type.width() == Type.Width.LONG ? Long.SIZE : Integer.SIZE,
+                    type.low(),
+                    type.high(),
+                    Value.IntegerValue::new);
+        }
+
+        @Override
+        public BitCodes characterType(Type.CharacterType type) {
+            return CHARACTERS;
+        }
+
+        @Override
+        public BitCodes enumType(Type.EnumType type) {
+            return new BitCodes(
+                    Integer.SIZE,
+                    0,
+                    type.constants().size() - 1L,
+                    number -> new Value.EnumValue(type, (int) number));
+        }
+
+        @Override
+        public BitCodes realType(Type.RealType type) {
+            throw noBits(type);
+        }
+
+        @Override
+        public BitCodes stringType(Type.StringType type) {
+            throw noBits(type);
+        }
+
+        @Override
+        public BitCodes classType(Type.ClassType type) {
+            throw noBits(type);
+        }
+    }
+}
