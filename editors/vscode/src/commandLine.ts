@@ -18,7 +18,7 @@ export const UNKNOWN = 3;
 
 /** Commands that read models. */
 const READING = new Set([
-  'campaign', 'check', 'diagram', 'gate', 'generate', 'refines', 'simulate', 'test', 'verify', 'world',
+  'campaign', 'check', 'diagram', 'gate', 'generate', 'refines', 'run-brick', 'simulate', 'test', 'verify', 'world',
 ]);
 
 /** The program is not there. */

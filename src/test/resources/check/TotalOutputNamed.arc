@@ -43,7 +43,7 @@ component BadTable {
   port in Boolean tooClose, <<total>> out Boolean drive;
 
   table {
-//~~~~~ error ARC0327: no message is sent here on 'drive', which carries one in every slice (<<total>>); say which one
+//~~~~~~~ error ARC0327: no message is sent here on 'drive', which carries one in every slice (<<total>>); say which one
     in tooClose;
     out drive;
     | true  | => | false |;

@@ -36,7 +36,7 @@ public final class Tables implements SituatedLanguage {
         List<TableColumn> inputs = columns.of(text.inputs(), Vicinity.Kind.INPUT, meaning);
         List<TableColumn> outputs = columns.of(text.outputs(), Vicinity.Kind.OUTPUT, meaning);
         meaning.stands().tell(TYPE_OF_ITEM, RowMeaning.CODE);
-        meaning.write(table.whole(), "state table; ").write(table.keyword(), "initial table;");
+        meaning.write(table.whole(), "state table; initial table;");
         for (int i = 0; i < text.rows().size(); i++) {
             WrittenTable.Row row = text.rows().get(i);
             Span place = table.part(row.start(), row.end());

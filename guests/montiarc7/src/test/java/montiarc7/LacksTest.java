@@ -2,6 +2,8 @@ package montiarc7;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import montiarc7.source.Lack;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -66,7 +66,8 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     int[] value(Value value, Type type) {
-        return circuit.constant(BitCodes.code(value), BitCodes.of(type).width());
+        int width = BitCodes.of(type).width();
+        return circuit.constant(BitCodes.code(value), width);
     }
 
     private static GivenUp noBits() {

@@ -239,6 +239,8 @@ class BitLettersTest {
         Port real = port("r", new Type.RealType(false));
         Expression isReal = new Expression.Cast(read(0), real.type(), NOWHERE);
         assertThatThrownBy(() -> letters.areEqual(isReal, isReal)).isInstanceOf(GivenUp.class);
+        Expression half = new Expression.Constant(new Value.RealValue(0.5), real.type(), NOWHERE);
+        assertThatThrownBy(() -> letters.areEqual(half, half)).isInstanceOf(GivenUp.class);
         assertThatThrownBy(() -> new BitLetters(List.of(real), () -> false))
                 .isInstanceOf(GivenUp.class);
     }

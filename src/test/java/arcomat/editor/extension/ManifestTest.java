@@ -137,7 +137,7 @@ class ManifestTest {
         for (String each : commands) {
             assertThat(help(each)).as(each).contains("--library=DIR");
         }
-        assertThat(help("run-brick")).doesNotContain("--library");
+        assertThat(help("explain")).doesNotContain("--library");
         assertThat(all(CALLED, code()))
                 .allSatisfy(
                         each ->
