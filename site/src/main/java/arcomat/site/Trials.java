@@ -7,6 +7,7 @@ import arcomat.syntax.Parser;
 
 import org.commonmark.node.FencedCodeBlock;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.IdentityHashMap;
@@ -19,6 +20,9 @@ import java.util.Optional;
 record Trials(Map<FencedCodeBlock, Trial> all) {
     /** By which a page says that its models are read with guests, whom the live page has not. */
     private static final String GUESTS = "--with ";
+
+    /** Shows pieces of models: what changed in them, and no more. */
+    static final Path CHANGES = Path.of("CHANGELOG.md");
 
     /** A block, where it stands among those of its page. */
     private record Placed(FencedCodeBlock node, Fenced fenced, List<Book> books, int order) {
@@ -33,6 +37,9 @@ record Trials(Map<FencedCodeBlock, Trial> all) {
     }
 
     static Trials of(Manuscript page, Shelf shelf) {
+        if (page.path().equals(CHANGES)) {
+            return new Trials(Map.of());
+        }
         List<Placed> models = new ArrayList<>();
         List<Integer> commands = new ArrayList<>();
         int order = 0;

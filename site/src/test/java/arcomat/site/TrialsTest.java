@@ -93,7 +93,9 @@ class TrialsTest {
         }
     }
 
-    /** All but what defines nothing, which is what the page about ARC0005 shows. */
+    /**
+     * All but what has changed in some, and what defines nothing, as the page about ARC0005 shows.
+     */
     @Test
     void everyModelCanBeTried() {
         List<String> without = new ArrayList<>();
@@ -107,6 +109,7 @@ class TrialsTest {
                         }
                     }
                 });
+        without.removeIf(each -> each.startsWith(Trials.CHANGES + " "));
         assertThat(without).containsExactly("src/main/resources/explain/ARC0005.md arc");
     }
 
