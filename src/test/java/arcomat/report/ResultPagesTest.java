@@ -1,5 +1,8 @@
 package arcomat.report;
 
+import static arcomat.report.ShownTracks.texts;
+import static arcomat.report.ShownTracks.track;
+
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.refinement.Answered;
@@ -71,24 +74,6 @@ class ResultPagesTest {
                         .value()
                         .orElseThrow();
         return VerdictPage.of("verify", "all", answers, "none").stories().get(0);
-    }
-
-    private static Track track(Story story, String name) {
-        return story.timeline().tracks().stream()
-                .filter(track -> track.name().equals(name))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    /** The texts of a track, a dash for nothing. */
-    private static List<String> texts(Track track) {
-        List<String> texts = new ArrayList<>();
-        for (Track.Run run : track.runs()) {
-            for (int i = 0; i < run.length(); i++) {
-                texts.add(run.value() < 0 ? "-" : track.values().get(run.value()).text());
-            }
-        }
-        return texts;
     }
 
     /** The elements of drawings that a track marks, step by step. */

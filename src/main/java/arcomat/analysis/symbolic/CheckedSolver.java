@@ -8,7 +8,7 @@ import java.util.List;
  * where it says that they cannot: its conclusions are checked one by one.
  */
 public final class CheckedSolver {
-    private final Clauses clauses = new Clauses();
+    private final Clauses clauses;
     private final List<int[]> conclusions = new ArrayList<>();
     private final SatSolver solver;
     private final Runnable between;
@@ -19,6 +19,11 @@ public final class CheckedSolver {
      * @param between called at each conclusion; may throw to give up for good
      */
     public CheckedSolver(Runnable between) {
+        this(new Clauses(), between);
+    }
+
+    CheckedSolver(Clauses clauses, Runnable between) {
+        this.clauses = clauses;
         this.between = between;
         solver =
                 new SatSolver(
@@ -36,10 +41,19 @@ public final class CheckedSolver {
     /** Whether all clauses can be true. */
     public boolean solve() {
         boolean possible = solveWith();
-        if (!possible && !new UnitPropagation(clauses).refutes(conclusions, between)) {
+        if (!possible && !isConclusive()) {
             throw new IllegalStateException("a solver has drawn a wrong conclusion");
         }
         return possible;
+    }
+
+    /** Whether it is proved that they cannot be; also false where the proof is none. */
+    boolean refutes() {
+        return !solveWith() && isConclusive();
+    }
+
+    private boolean isConclusive() {
+        return new UnitPropagation(clauses).refutes(conclusions, between);
     }
 
     /** Whether they can, together with some literals. That they cannot is not checked. */

@@ -89,7 +89,7 @@ public final class Clauses {
     }
 
     /** Tells a solver. */
-    public SatSolver into(SatSolver solver) {
+    SatSolver into(SatSolver solver) {
         for (int i = 0; i < variables; i++) {
             solver.variable();
         }

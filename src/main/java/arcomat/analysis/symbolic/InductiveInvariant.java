@@ -2,7 +2,6 @@ package arcomat.analysis.symbolic;
 
 import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -37,20 +36,8 @@ public record InductiveInvariant(List<int[]> excluded) {
      * @param between called on the way; may throw to give up
      */
     public boolean proves(TransitionRelation relation, Runnable between) {
-        if (excluded.stream().anyMatch(relation::beginsIn)) {
-            return false;
-        }
-        Clauses question = question(relation);
-        List<int[]> conclusions = new ArrayList<>();
-        boolean possible =
-                question.into(
-                                new SatSolver(
-                                        clause -> {
-                                            between.run();
-                                            conclusions.add(clause);
-                                        }))
-                        .solve();
-        return !possible && new UnitPropagation(question).refutes(conclusions, between);
+        return excluded.stream().noneMatch(relation::beginsIn)
+                && new CheckedSolver(question(relation), between).refutes();
     }
 
     /** A step from a state that is not excluded, which is bad, or leads to one that is. */

@@ -1,5 +1,8 @@
 package arcomat.pipeline.brick;
 
+import static arcomat.report.ShownTracks.texts;
+import static arcomat.report.ShownTracks.track;
+
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Trace;
@@ -8,7 +11,6 @@ import arcomat.pipeline.Session;
 import arcomat.report.brick.BrickPage;
 import arcomat.report.page.Story;
 import arcomat.report.page.Story.Drawing;
-import arcomat.report.page.Track;
 import arcomat.report.run.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
@@ -21,7 +23,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -100,23 +101,5 @@ class ExplainedJarTest {
                 .extracting(Drawing::title)
                 .startsWith("coffee.fetcher.Fetcher")
                 .contains("avoidCrash", "drive");
-    }
-
-    private static Track track(Story story, String name) {
-        return story.timeline().tracks().stream()
-                .filter(track -> track.name().equals(name))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    /** The texts of a track, a dash for nothing. */
-    private static List<String> texts(Track track) {
-        List<String> texts = new ArrayList<>();
-        for (Track.Run run : track.runs()) {
-            for (int i = 0; i < run.length(); i++) {
-                texts.add(run.value() < 0 ? "-" : track.values().get(run.value()).text());
-            }
-        }
-        return texts;
     }
 }

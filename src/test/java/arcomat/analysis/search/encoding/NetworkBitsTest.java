@@ -9,8 +9,7 @@ import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.NetworkSystem;
-import arcomat.analysis.symbolic.Clauses;
-import arcomat.analysis.symbolic.SatSolver;
+import arcomat.analysis.symbolic.CheckedSolver;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -67,12 +66,11 @@ class NetworkBitsTest {
             int[] states = met.stream().mapToInt(Integer::intValue).toArray();
             NetworkTables tables = system.tables(messages, states, MOST_VALUES, MOST_RULES);
             int[] shown = system.outputSignals();
-            Clauses clauses = new Clauses();
-            NetworkBits bits = new NetworkBits(tables, clauses);
-            SatSolver solver = clauses.into(new SatSolver());
+            CheckedSolver solver = new CheckedSolver(() -> {});
+            NetworkBits bits = new NetworkBits(tables, solver.clauses());
             for (Step step : seen) {
                 int[] told = literals(step, system, bits, tables, met, shown);
-                assertThat(solver.solve(told)).as("%s%n%s", text, step).isTrue();
+                assertThat(solver.solveWith(told)).as("%s%n%s", text, step).isTrue();
             }
             steps += seen.size();
             ends += (int) seen.stream().filter(step -> step.to < 0).count();
