@@ -21,12 +21,12 @@ import q.Types.*;
 import java.util.List;
 component Bad<T>(Intger size = 3) {
 //               ~~~~~~ error ARC0120: there is no type 'Intger'; did you mean 'Integer'?
-  port in Cmd cmd, in Intger power, in Boolean[] many, in List<Integer, T> list, in Integer<T> odd;
+  port in Cmd cmd, in Intger power, in Boolen[] many, in List<Integer, T> list, in Integer<T> odd;
 //        ~~~ error ARC0120: 'Cmd' could mean several types; write the full name of one
 //                    ~~~~~~ error ARC0120: there is no type 'Intger'; did you mean 'Integer'?
-//                                     ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; arrays cannot be messages; use one port per element
-//                                                        ~~~~~~~~~~~~~~~~ error ARC0120: 'List<Integer, T>' is no message type; java.util.List takes 1 type argument
-//                                                                                  ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; only components take type arguments; use the type without them
+//                                     ~~~~~~ error ARC0120: there is no type 'Boolen'; did you mean 'Boolean'?
+//                                                       ~~~~~~~~~~~~~~~~ error ARC0120: 'List<Integer, T>' is no message type; java.util.List takes 1 type argument
+//                                                                                 ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; only components take type arguments; use the type without them
   port in T t, out Boolean[0..3] bits;
 //                        ~~~~~~ error ARC0332: only whole number types have ranges
 
@@ -70,11 +70,11 @@ package j;
 import java.util.*;
 import java.awt.Color;
 component OfJava {
-  port in List<int> numbers, in Map<String, Lst> map, in Object<String> object, in List<Boolean[]> rows;
+  port in List<int> numbers, in Map<String, Lst> map, in Object<String> object, in List<DayOfWeek[]> rows;
 //        ~~~~~~~~~ error ARC0120: 'List<int>' is no message type; type arguments are types of objects; write Integer instead of int, without a range
 //                                          ~~~ error ARC0120: there is no type 'Lst'; define it in a class diagram, or import it
 //                                                       ~~~~~~~~~~~~~~ error ARC0120: 'Object<String>' is no message type; java.lang.Object takes no type arguments
-//                                                                                      ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; arrays cannot be messages; use one port per element
+//                                                                                      ~~~~~~~~~ error ARC0120: there is no type 'DayOfWeek'; define it in a class diagram, or import it
   port in java.util.Lists lists, in Color colour, in java.time.DayOfWeek day, in List<Integer[0..3]> small;
 //        ~~~~~~~~~~~~~~~ error ARC0120: 'java.util.Lists' is no message type; it is not known here; write 'type Lists;' in a class diagram
 //                                  ~~~~~ error ARC0120: 'java.awt.Color' is no message type; it is not known here; write 'type Color;' in a class diagram

@@ -60,6 +60,11 @@ public enum BuiltinType implements TypeSymbol {
         return displayName;
     }
 
+    /** Java's simple name for it where an object is needed. */
+    public String objectName() {
+        return Character.isUpperCase(displayName.charAt(0)) ? displayName : otherName;
+    }
+
     @Override
     public String toString() {
         return displayName;

@@ -12,6 +12,7 @@ import java.util.function.Function;
 /** What the types of the Java library are as types of messages. */
 final class JavaTypes {
     private static final String LANGUAGE = "java.lang.";
+    private static final String LIST = "java.util.List";
 
     private JavaTypes() {}
 
@@ -53,6 +54,16 @@ final class JavaTypes {
                             + " diagram");
         }
         return new JavaType(name, List.of());
+    }
+
+    /**
+     * What an array of Java is as a message. Arrays are equal to none but themselves, and messages
+     * are equal where they hold the same: so do lists.
+     */
+    static TypeSymbol listOf(TypeSymbol element) {
+        return element instanceof UnsupportedType
+                ? element
+                : new JavaType(LIST, List.of(new JavaType.Argument(JavaType.Bound.EXACT, element)));
     }
 
     /** The type with the arguments that are written behind it. */

@@ -14,7 +14,7 @@ public final class TypeReferences {
     public static Resolution<TypeSymbol> resolve(
             TypeReference reference, Function<QualifiedName, Resolution<TypeSymbol>> names) {
         if (reference.dimensions() > 0) {
-            return unsupported(reference, "arrays cannot be messages; use one port per element");
+            return resolve(element(reference), names).map(JavaTypes::listOf);
         }
         Resolution<TypeSymbol> named = names.apply(reference.name());
         if (named.found().orElse(null) instanceof JavaType java && reference.range().isEmpty()) {
@@ -31,6 +31,16 @@ public final class TypeReferences {
             return named;
         }
         return ranged(reference, reference.range().get(), named.found().get());
+    }
+
+    /** What an array holds: {@code int[]} for {@code int[][]}. */
+    private static TypeReference element(TypeReference array) {
+        return new TypeReference(
+                array.span(),
+                array.name(),
+                array.arguments(),
+                array.range(),
+                array.dimensions() - 1);
     }
 
     private static Resolution<TypeSymbol> ranged(

@@ -13,6 +13,7 @@ import java.util.List;
 public final class ReferenceLaws {
     public static final List<Law> LAWS =
             List.of(
+                    warning("ARC0149", new ArrayIsList()).needing(NAMES),
                     error("ARC0111", new ComponentExists()).needing(NAMES),
                     error("ARC0121", new ImportResolves()),
                     warning("ARC0122", new ImportUnique()),
