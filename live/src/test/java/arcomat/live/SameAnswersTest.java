@@ -35,6 +35,7 @@ class SameAnswersTest extends BrowserTest {
         Map<String, Executable> tests = new LinkedHashMap<>();
         tests.put("findings", this::findings);
         tests.put("words", this::words);
+        tests.put("numbers", this::numbers);
         tests.put("verdicts", this::verdicts);
         tests.put("the coffee robots", this::coffee);
         tests.put("worlds", this::worlds);
@@ -74,6 +75,47 @@ class SameAnswersTest extends BrowserTest {
                     .as("facts at " + offset)
                     .isEqualTo(desk.facts("Chain.arc", offset));
         }
+    }
+
+    /** Read and written by the browser itself: long, small, large ones, and those between two. */
+    private void numbers() {
+        String third =
+                """
+                component Third {
+                    timing instant;
+                    port in Double whole, out Double part;
+
+                    automaton {
+                        state only;
+                        initial only;
+                        only -> only [whole == whole] / {part = whole / 3};
+                    }
+                }
+                """;
+        List<String> letters =
+                Stream.of(
+                                "0",
+                                "-7.25",
+                                "0.1",
+                                "0.00001",
+                                "0.000000000000000000001",
+                                "3000000",
+                                "12345678.9",
+                                "9007199254740993",
+                                "123456789012345678901234567890",
+                                "1.7976931348623157",
+                                "2.50000000000000001")
+                        .map(number -> "whole = " + number)
+                        .toList();
+        LivePage page = LivePage.open(browser);
+        Desk desk = new Desk();
+        assertThat(page.check(Map.of("Third.arc", third)))
+                .isEqualTo(ModelTexts.check(desk, Map.of("Third.arc", third)))
+                .contains("\"whole\":true");
+        assertThat(page.ask("run", "Third", letters, List.of()))
+                .isEqualTo(desk.run("Third", letters.toArray(new String[0]), new int[0]))
+                .contains("part = 3.3333333333333337E-6")
+                .contains("part = 4115226.3");
     }
 
     /** Of cases that once went wrong: verdicts with their counterexamples, and runs. */

@@ -44,6 +44,8 @@ public final class CoreCompiler {
         // An index or a cast that is wrong ends here as it does in Java, and makes no answer.
         tool.setStrict(true);
         tool.setIncremental(false);
+        tool.getTransformers().add(NeedlessTexts.class.getName());
+        tool.getTransformers().add(NeverMade.class.getName());
         tool.setLog(new EmptyTeaVMToolLog());
         tool.generate();
         List<String> problems =
