@@ -131,18 +131,8 @@ public final class SliceUnfolding implements Unfolding {
         }
         List<Sent> sent = new ArrayList<>();
         network.outputs().forEach(port -> sent.add(reaction(slice, port)));
-        return new Unfolding.Step(new GlobalState(slice.after, kept(slice)), sent, slice.causes);
-    }
-
-    /** What no part reads in the next slice is not kept for it. */
-    private List<Sent> kept(Slice slice) {
-        List<Sent> kept = new ArrayList<>(List.of(slice.registers));
-        for (int signal = 0; signal < kept.size(); signal++) {
-            if (wiring.readers.get(signal).isEmpty()) {
-                kept.set(signal, Sent.SILENCE);
-            }
-        }
-        return kept;
+        return new Unfolding.Step(
+                new GlobalState(slice.after, List.of(slice.registers)), sent, slice.causes);
     }
 
     private Sent reaction(Slice slice, Network.External port) {
