@@ -40,7 +40,8 @@ public final class Crowd {
             for (int i = 0; i < now.size(); i++) {
                 for (int j = 0; j < i; j++) {
                     if (overlapMore(i, j)) {
-                        changes |= hold(i) | hold(j);
+                        changes |= hold(i);
+                        changes |= hold(j);
                     }
                 }
             }
