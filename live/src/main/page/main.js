@@ -189,19 +189,40 @@ class Page {
         const errors = this.findings.filter((each) => each.severity === 'error').length;
         const warnings = this.findings.length - errors;
         byId('status').textContent = `${plural(errors, 'error')}, ${plural(warnings, 'warning')}; checked in ${this.took.toFixed(0)} ms`;
-        byId('stale').hidden = answer.whole;
+        this.whole = answer.whole;
+        this.take(answer.components);
         if (answer.whole) {
-            this.components = answer.components;
-            const shown = this.components.filter((each) => !each.platform).map((each) => each.name);
-            if (this.wanted) {
-                byId('component').replaceChildren(make('option', {}, this.wanted));
-            }
-            fill(byId('component'), shown);
             this.prove.offer(this.components);
-            this.refresh();
-        } else if (this.view === 'floor') {
-            this.floor.show();
         }
+        if (answer.whole || ['see', 'floor'].includes(this.view)) {
+            this.refresh();
+        }
+        this.showAge();
+    }
+
+    /** While there are errors, components that have some, or need what has, are as they were. */
+    take(components) {
+        const fresh = new Map(components.map((each) => [each.name, each]));
+        const known = this.whole ? [] : this.components.map((each) => fresh.get(each.name) ?? each);
+        const names = new Set(known.map((each) => each.name));
+        this.components = [...known, ...components.filter((each) => !names.has(each.name))];
+        this.fresh = fresh;
+        const shown = this.components.filter((each) => !each.platform).map((each) => each.name);
+        if (this.wanted) {
+            byId('component').replaceChildren(make('option', {}, this.wanted));
+        }
+        fill(byId('component'), shown);
+    }
+
+    /** Says where what is shown is from before, and why. */
+    showAge() {
+        const name = byId('component').value;
+        const ofSee = this.view === 'see';
+        const isOld = ofSee ? name && !this.fresh?.has(name) : this.view !== 'floor';
+        byId('stale').hidden = this.whole !== false || !isOld;
+        byId('stale').textContent = ofSee
+            ? `${name} has errors, or needs what has some: its picture is from before.`
+            : 'The models have errors: what is shown here is from before.';
     }
 
     go(place) {
@@ -282,6 +303,7 @@ class Page {
         if (byHand) {
             this.refresh();
         }
+        this.showAge();
     }
 
     /** What goes wrong is said; the page goes on. */
@@ -304,15 +326,20 @@ class Page {
                 this.floor.show();
             }
         });
+        this.showAge();
         this.changed();
     }
 
     async see(name) {
         const component = this.component(name);
         const panel = byId('see').firstElementChild;
-        if (!component) {
+        if (!this.fresh?.has(name) && panel.dataset.of === name) {
+            return; // the picture from before
+        }
+        if (!component || !this.fresh?.has(name)) {
             panel.textContent = 'There is nothing to see yet.';
             delete panel.dataset.names;
+            delete panel.dataset.of;
             return;
         }
         const wanted = component.composite || component.automata.length === 0 ? [-1] : [];
@@ -332,6 +359,7 @@ class Page {
                 this.closed = closed;
                 this.refresh();
             });
+            panel.dataset.of = name;
             document.body.dataset.drawn = String(version);
         }
     }

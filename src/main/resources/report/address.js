@@ -9,7 +9,6 @@ class Address {
   constructor(stories) {
     this.stories = stories;
     this.wish = 0;
-    this.open();
     addEventListener("hashchange", () => this.open());
   }
 
@@ -21,7 +20,7 @@ class Address {
     const index = stories.data.findIndex((story) => story.title === run || story.title.endsWith("#" + run));
     const isArranged = parts.length > 3 && this.arrange(parts[3], parts[4] || "");
     if (isArranged || (index >= 0 && index !== stories.index)) {
-      stories.show(index >= 0 ? index : stories.index);
+      this.show(index >= 0 ? index : stories.index);
     }
     const story = stories.current;
     if (!story || story.length === 0) {
@@ -33,6 +32,15 @@ class Address {
     if (/^\d+$/.test(step)) {
       story.go(Number(step));
     }
+  }
+
+  show(index) {
+    this.stories.show(index);
+  }
+
+  /** What it says first. */
+  moment(story) {
+    return String(story.cursor);
   }
 
   /** Folds and orders as it says, as far as there are such groups and rows; false where it says nothing of any. */
@@ -56,10 +64,11 @@ class Address {
   }
 
   of(story) {
-    const run = this.stories.data.length > 1 ? story.title : "";
+    const { data, index } = this.stories;
+    const run = data.length > 1 ? data[index].title : "";
     const { folded, orders } = this.stories.arrangement;
     const parts = [
-      ...[String(story.cursor), story.selected === null ? "" : story.selected.name, run].map(encodeURIComponent),
+      ...[this.moment(story), story.selected === null ? "" : story.selected.name, run].map(encodeURIComponent),
       listed([...folded]),
       [...orders].filter(([, names]) => names.length > 0).map(([place, names]) => listed([place, ...names])).join(";"),
     ];

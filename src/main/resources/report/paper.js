@@ -40,7 +40,8 @@ class Paper {
   stepsOfAPiece() {
     const texts = this.story.timeline.tracks.flatMap((track) => track.values);
     const longest = texts.reduce((length, text) => Math.max(length, text.length), 1);
-    return clamp(Math.floor(PIECE.width / (longest * LETTER + 2 * PADDING + 2)), PIECE.fewest, PIECE.most);
+    const { fewest, most } = { ...PIECE, ...this.story.onPaper };
+    return clamp(Math.floor(PIECE.width / (longest * LETTER + 2 * PADDING + 2)), fewest, most);
   }
 
   piece(from, steps) {

@@ -42,7 +42,7 @@ public sealed interface Device {
     record Bumper(int socket) implements Sensor {
         @Override
         public int read(Senses.View view) {
-            return view.robot().touching() ? 1 : 0;
+            return view.robot().touching() || view.robot().pushing() ? 1 : 0;
         }
     }
 

@@ -42,6 +42,15 @@ public record Kind(
         double roll() {
             return Math.PI * diameter / 360;
         }
+
+        /**
+         * Whether neither turns.
+         *
+         * @param shafts speeds of motors
+         */
+        boolean stand(double[] shafts) {
+            return shafts[left - 1] == 0 && shafts[right - 1] == 0;
+        }
     }
 
     /**

@@ -82,8 +82,8 @@ final class KindDraft {
             }
             case "body" -> {
                 once(part);
-                radius = words.number("its radius in mm", 10, 500);
-                mass = words.number("its mass in grams", 50, 20_000);
+                radius = radius(words);
+                mass = mass(words);
             }
             case "wheels" -> {
                 once(part);
@@ -94,6 +94,16 @@ final class KindDraft {
             default -> devices.add(sensor(part.text(), socket(words), words));
         }
         words.end();
+    }
+
+    /** Of a body. */
+    static double radius(Words words) throws Unreadable {
+        return words.number("its radius in mm", 10, 500);
+    }
+
+    /** Of a body. */
+    static double mass(Words words) throws Unreadable {
+        return words.number("its mass in grams", 50, 20_000);
     }
 
     /** The socket may have a sensor, too: it says what is around the device. */

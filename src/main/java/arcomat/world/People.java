@@ -4,6 +4,7 @@ import arcomat.world.Scene.DrinkerState;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.Scene.ThingState;
 import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.arithmetic.Arc;
@@ -38,6 +39,7 @@ final class People {
     List<DrinkerState> step(
             List<DrinkerState> drinkers,
             List<RobotState> robots,
+            List<ThingState> things,
             double seconds,
             List<Happening> happenings) {
         if (drinkers.isEmpty()) {
@@ -45,7 +47,9 @@ final class People {
         }
         List<DrinkerState> next = new ArrayList<>();
         for (int i = 0; i < drinkers.size(); i++) {
-            next.add(step(world.drinkers().get(i), drinkers.get(i), robots, seconds, happenings));
+            Drinker drinker = world.drinkers().get(i);
+            boolean free = isFree(drinker, robots, things);
+            next.add(step(drinker, drinkers.get(i), free, robots, seconds, happenings));
         }
         return next;
     }
@@ -53,6 +57,7 @@ final class People {
     private DrinkerState step(
             Drinker drinker,
             DrinkerState state,
+            boolean free,
             List<RobotState> robots,
             double seconds,
             List<Happening> happenings) {
@@ -63,7 +68,7 @@ final class People {
                     coming >= 0
                             && pause == 0
                             && distance(drinker, robots.get(coming)) > CARE
-                            && isFree(drinker, robots);
+                            && free;
             return new DrinkerState(steps, pause, 0, state.cups());
         }
         if (coming < 0) {
@@ -100,11 +105,16 @@ final class People {
         return -1;
     }
 
-    /** Nobody steps on a robot. */
-    private boolean isFree(Drinker drinker, List<RobotState> robots) {
+    /** Nobody steps on a robot, nor on a thing. */
+    private boolean isFree(Drinker drinker, List<RobotState> robots, List<ThingState> things) {
         for (int i = 0; i < robots.size(); i++) {
             Kind kind = world.robots().get(i).kind();
             if (drinker.legs().overlaps(kind.body(robots.get(i).pose()))) {
+                return false;
+            }
+        }
+        for (int i = 0; i < things.size(); i++) {
+            if (drinker.legs().overlaps(world.things().get(i).at(things.get(i).place()))) {
                 return false;
             }
         }

@@ -5,6 +5,7 @@ import arcomat.world.Scene.DrinkerState;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.Scene.ThingState;
 import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
@@ -44,6 +45,7 @@ public final class Physics {
 
     private final long[] switchedOn;
     private final Scene start;
+    private final Pushing pushing;
     private final Stations stations;
     private final People people;
 
@@ -74,7 +76,8 @@ public final class Physics {
         }
         List<DrinkerState> drinkers = new ArrayList<>();
         world.drinkers().forEach(drinker -> drinkers.add(new DrinkerState(false, 0, 0, 0)));
-        start = new Scene(0, robots, drinkers, List.of());
+        start = new Scene(0, robots, drinkers, Pushing.start(world), List.of());
+        pushing = new Pushing(world, SECONDS);
         stations = new Stations(world);
         people = new People(world);
     }
@@ -116,7 +119,7 @@ public final class Physics {
                             pose.heading() + drawn(chance, index, Purpose.HEADING));
         }
         int stock = robot.kind().find(Device.Magazine.class).map(Device.Magazine::cups).orElse(0);
-        return new RobotState(pose, 0, 0, false, robot.cup(), 0, false, stock, 0);
+        return new RobotState(pose, 0, 0, false, false, robot.cup(), 0, false, stock, 0);
     }
 
     /**
@@ -144,29 +147,44 @@ public final class Physics {
         List<RobotState> robots = new ArrayList<>(scene.robots());
         for (int i = 0; i < robots.size(); i++) {
             if (world.robots().get(i).kind().wheels().isPresent()) {
-                robots.set(i, driven(i, robots, scene.drinkers(), shafts[i], happenings));
+                robots.set(i, pulled(i, robots.get(i), shafts[i]));
             }
         }
+        List<ThingState> things = pushing.meet(scene, robots, shafts, happenings);
+        for (int i = 0; i < robots.size(); i++) {
+            if (world.robots().get(i).kind().wheels().isPresent()) {
+                robots.set(i, driven(i, robots, scene.drinkers(), happenings));
+            }
+        }
+        things = pushing.move(scene, robots, things);
         stations.step(robots, shafts, SECONDS, happenings);
-        List<DrinkerState> drinkers = people.step(scene.drinkers(), robots, SECONDS, happenings);
-        return new Scene(scene.tick() + 1, robots, drinkers, happenings);
+        List<DrinkerState> drinkers =
+                people.step(scene.drinkers(), robots, things, SECONDS, happenings);
+        return new Scene(scene.tick() + 1, robots, drinkers, things, happenings);
+    }
+
+    /** With the speeds to which its wheels have pulled it. */
+    private RobotState pulled(int index, RobotState state, double[] shafts) {
+        Wheels wheels = world.robots().get(index).kind().wheels().orElseThrow();
+        double share = takenUp[index][state.cup().ordinal()];
+        double left = shafts[wheels.left() - 1] * leftRoll[index];
+        double right = shafts[wheels.right() - 1] * rightRoll[index];
+        return state.rolling(
+                state.left() + (left - state.left()) * share,
+                state.right() + (right - state.right()) * share);
     }
 
     private RobotState driven(
             int index,
             List<RobotState> robots,
             List<DrinkerState> drinkers,
-            double[] shafts,
             List<Happening> happenings) {
         Robot robot = world.robots().get(index);
         RobotState state = robots.get(index);
-        Wheels wheels = robot.kind().wheels().orElseThrow();
-        double share = takenUp[index][state.cup().ordinal()];
-        double left = shafts[wheels.left() - 1] * leftRoll[index];
-        double right = shafts[wheels.right() - 1] * rightRoll[index];
-        left = state.left() + (left - state.left()) * share;
-        right = state.right() + (right - state.right()) * share;
-        Pose pose = state.pose().driven(left, right, wheels.track(), SECONDS);
+        double track = robot.kind().wheels().orElseThrow().track();
+        double left = state.left();
+        double right = state.right();
+        Pose pose = state.pose().driven(left, right, track, SECONDS);
         String obstacle = obstacle(index, pose, 0, robots, drinkers);
         if (obstacle.isEmpty()) {
             boolean still =

@@ -4,11 +4,12 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Robot;
+import arcomat.world.World.Thing;
 
 import java.util.ArrayList;
 import java.util.List;
 
-/** The laws about where things are: on the floor, and no two robots in one place. */
+/** The laws about where things are: on the floor, and no two bodies in one place. */
 final class Placement {
     private static final String OUTSIDE = "ARC1122";
     private static final String OCCUPIED = "ARC1124";
@@ -25,6 +26,7 @@ final class Placement {
         stripes.forEach(placement::stripe);
         world.robots().forEach(placement::robot);
         world.drinkers().forEach(placement::drinker);
+        world.things().forEach(placement::thing);
         return placement.findings;
     }
 
@@ -43,26 +45,50 @@ final class Placement {
     }
 
     private void robot(Robot robot) {
-        if (!world.contains(robot.disc())) {
-            String shape =
-                    "robot '%s', of radius %d, reaches over the edge of"
-                            .formatted(robot.name(), Math.round(robot.kind().radius()));
-            outside(robot.place(), shape, "it stands at %s", robot.pose().point());
-        }
+        String name = "robot '" + robot.name() + "'";
+        body(name, robot.disc(), robot.place());
         for (Robot other : world.robots()) {
             if (other == robot) {
                 break;
             }
             if (robot.disc().overlaps(other.disc())) {
-                occupied(robot.place(), robot.name(), other.name(), other.place());
+                String both = "robots '%s' and '%s'".formatted(robot.name(), other.name());
+                occupied(robot.place(), both, other.name(), other.place());
             }
         }
-        if (world.walls().stream().anyMatch(robot.disc()::overlaps)) {
-            findings.add(
-                    Diagnostic.error(
-                            OCCUPIED,
-                            robot.place(),
-                            "robot '" + robot.name() + "' stands in a wall"));
+    }
+
+    private void thing(Thing thing) {
+        String name = "thing '" + thing.name() + "'";
+        Disc disc = thing.at(thing.spot());
+        body(name, disc, thing.place());
+        for (Robot robot : world.robots()) {
+            if (disc.overlaps(robot.disc())) {
+                String both = name + " and robot '" + robot.name() + "'";
+                occupied(thing.place(), both, robot.name(), robot.place());
+            }
+        }
+        for (Thing other : world.things()) {
+            if (other == thing) {
+                break;
+            }
+            if (disc.overlaps(other.at(other.spot()))) {
+                String both = "things '%s' and '%s'".formatted(thing.name(), other.name());
+                occupied(thing.place(), both, other.name(), other.place());
+            }
+        }
+    }
+
+    /** On the floor, and in no wall. */
+    private void body(String name, Disc disc, Span place) {
+        if (!world.contains(disc)) {
+            String shape =
+                    "%s, of radius %d, reaches over the edge of"
+                            .formatted(name, Math.round(disc.radius()));
+            outside(place, shape, "it stands at %s", disc.centre());
+        }
+        if (world.walls().stream().anyMatch(disc::overlaps)) {
+            findings.add(Diagnostic.error(OCCUPIED, place, name + " stands in a wall"));
         }
     }
 
@@ -82,13 +108,9 @@ final class Placement {
         findings.add(Diagnostic.error(OUTSIDE, place, message));
     }
 
-    private void occupied(Span place, String name, String other, Span otherPlace) {
+    private void occupied(Span place, String both, String other, Span otherPlace) {
         findings.add(
-                Diagnostic.error(
-                                OCCUPIED,
-                                place,
-                                "robots '%s' and '%s' are in one place: their bodies overlap"
-                                        .formatted(name, other))
+                Diagnostic.error(OCCUPIED, place, both + " are in one place: their bodies overlap")
                         .withRelated(otherPlace, "'" + other + "' stands here"));
     }
 }

@@ -91,11 +91,14 @@ public record Recording(
      * The world at a moment.
      *
      * @param time in milliseconds
+     * @param things where their middles are
      */
-    public record Frame(int time, List<RobotFrame> robots, List<DrinkerState> drinkers) {
+    public record Frame(
+            int time, List<RobotFrame> robots, List<DrinkerState> drinkers, List<Point> things) {
         public Frame {
             robots = List.copyOf(robots);
             drinkers = List.copyOf(drinkers);
+            things = List.copyOf(things);
         }
     }
 

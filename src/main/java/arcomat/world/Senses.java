@@ -109,6 +109,10 @@ public final class Senses {
                     nearest = Math.min(nearest, legs.hit(eye, cos, sin));
                 }
             }
+            for (int i = 0; i < scene.things().size(); i++) {
+                Disc thing = world.things().get(i).at(scene.things().get(i).place());
+                nearest = Math.min(nearest, thing.hit(eye, cos, sin));
+            }
             for (Segment wall : world.walls()) {
                 nearest = Math.min(nearest, wall.hit(eye, cos, sin));
             }

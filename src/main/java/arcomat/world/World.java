@@ -21,12 +21,14 @@ public record World(
         List<Line> lines,
         List<Segment> walls,
         List<Robot> robots,
-        List<Drinker> drinkers) {
+        List<Drinker> drinkers,
+        List<Thing> things) {
     public World {
         lines = List.copyOf(lines);
         walls = List.copyOf(walls);
         robots = List.copyOf(robots);
         drinkers = List.copyOf(drinkers);
+        things = List.copyOf(things);
     }
 
     boolean contains(Point point) {
@@ -78,6 +80,22 @@ public record World(
         /** What they fill of the floor. */
         Disc legs() {
             return new Disc(spot, RADIUS);
+        }
+    }
+
+    /**
+     * Something round that lies on the floor, and moves when it is pushed.
+     *
+     * @param spot where its middle is when the world begins
+     * @param radius in mm
+     * @param mass in grams
+     * @param friction the share of its weight by which the floor holds it
+     */
+    public record Thing(
+            String name, Point spot, double radius, double mass, double friction, Span place) {
+        /** What it fills of the floor at a place. */
+        Disc at(Point middle) {
+            return new Disc(middle, radius);
         }
     }
 

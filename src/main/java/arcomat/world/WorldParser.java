@@ -7,6 +7,7 @@ import arcomat.world.Words.Unreadable;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
+import arcomat.world.World.Thing;
 
 import org.jspecify.annotations.Nullable;
 
@@ -34,8 +35,13 @@ public final class WorldParser {
                     "kind",
                     "robot",
                     "robots",
-                    "drinker");
+                    "drinker",
+                    "thing");
     private static final double LINE_WIDTH = 40;
+
+    /** As of wood or cardboard on a floor. */
+    private static final double FRICTION = 0.3;
+
     private static final int LONGEST = 86_400;
 
     private final SourceFile file;
@@ -47,6 +53,7 @@ public final class WorldParser {
     private final List<RobotDraft> robots = new ArrayList<>();
     private final List<Word> wanted = new ArrayList<>();
     private final List<Drinker> drinkers = new ArrayList<>();
+    private final List<Thing> things = new ArrayList<>();
     private @Nullable KindDraft open;
     private double width;
     private double depth;
@@ -190,6 +197,7 @@ public final class WorldParser {
             case "robots" -> robots(RobotDraft.several(words));
             case Parameters.STATEMENT ->
                     throw Words.broken(words.first(), "write 'parameter' as it is, without a '$'");
+            case "thing" -> thing(words);
             default -> drinker(words);
         }
     }
@@ -270,6 +278,19 @@ public final class WorldParser {
         drinkers.add(new Drinker(name.text(), spot, thirst, name.place()));
     }
 
+    private void thing(Words words) throws Unreadable {
+        Word name = words.name("the name of a thing");
+        words.expect("at");
+        Point spot = words.point();
+        words.expect("body");
+        double radius = KindDraft.radius(words);
+        double mass = KindDraft.mass(words);
+        double friction =
+                words.take("friction") ? words.number("a share of its weight", 0, 2) : FRICTION;
+        unique(name.text(), name);
+        things.add(new Thing(name.text(), spot, radius, mass, friction, name.place()));
+    }
+
     private Parsed result() {
         findings.addAll(parameters.findings());
         requireThere(once.containsKey("floor"), "a floor: write 'floor WIDTH DEPTH', in mm");
@@ -294,7 +315,9 @@ public final class WorldParser {
                 .filter(kind -> !kinds.containsKey(kind.text()))
                 .forEach(kind -> findings.add(unknown(kind)));
         World world =
-                new World(width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
+                new World(
+                        width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers,
+                        things);
         if (findings.isEmpty()) {
             findings.addAll(Placement.check(world, stripes));
         }

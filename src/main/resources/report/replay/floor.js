@@ -20,7 +20,8 @@ class Floor {
     this.followed = -1;
     this.robots = this.world.robots.map((robot) => this.robot(robot));
     this.drinkers = this.world.drinkers.map((drinker) => this.drinker(drinker));
-    this.trails = this.world.robots.map(() => shape("polyline", { class: "trail" }));
+    this.things = (this.world.things ?? []).map((thing) => this.thing(thing));
+    this.trails = [...this.robots, ...this.things].map(() => shape("polyline", { class: "trail" }));
     this.labels = new Labels(this.world, this.world.drinkers.map((drinker) => around(drinker.x, this.y(drinker.y), DRINKER_RADIUS)));
     this.ghost = recording.ghost === undefined ? null : new Ghost(this, recording);
     this.svg.append(
@@ -33,10 +34,11 @@ class Floor {
       ...this.world.walls.map((wall) => this.outline(wall, { class: "wall" })),
       this.scale(),
       ...this.trails,
+      ...this.things.map((thing) => thing.group),
       ...this.drinkers.map((drinker) => drinker.group),
       ...(this.ghost === null ? [] : this.ghost.robots),
       ...this.robots.map((robot) => robot.group),
-      ...this.robots.map((robot) => robot.label),
+      ...[...this.robots, ...this.things].map((body) => body.label),
     );
     this.width = 0;
     new ResizeObserver(() => this.measure()).observe(this.svg);
@@ -132,6 +134,14 @@ class Floor {
     return { name: drinker.name, body, text, group: shape("g", {}, body, text) };
   }
 
+  /** Round, so that it matters to nobody how it lies; its weight stands below its name. */
+  thing({ name, radius, mass }) {
+    const body = shape("circle", { class: "thing", r: radius });
+    const group = shape("g", {}, shape("title", {}, `${name}, ${weight(mass)}`), body);
+    const doing = shape("tspan", { class: "doing" }, weight(mass));
+    return { name, radius, group, doing, label: shape("text", {}, name + " ", doing) };
+  }
+
   follow(number) {
     this.followed = number;
     this.robots.forEach((robot, index) => robot.group.classList.toggle("followed", index === number));
@@ -153,7 +163,9 @@ class Floor {
 
   show(time) {
     this.robots.forEach((shapes, number) => this.showRobot(shapes, number, time));
-    this.labels.place(this.robots.map((shapes, number) => this.labelled(shapes, number, time)), this.letters);
+    const places = this.things.map((shapes, number) => this.showThing(shapes, number, time));
+    const labels = this.robots.map((shapes, number) => this.labelled(shapes, this.recording.robot(number, time)));
+    this.labels.place([...labels, ...this.things.map((shapes, number) => this.labelled(shapes, places[number]))], this.letters);
     if (this.ghost !== null) {
       this.ghost.show(time);
     }
@@ -186,12 +198,23 @@ class Floor {
     shapes.cup.setAttribute("class", "cup " + robot.cup);
     shapes.cup.toggleAttribute("hidden", robot.cup === "none");
     shapes.crash.toggleAttribute("hidden", !this.collidesAt(number, time));
-    const trail = this.recording.trail(number, time, TRAIL_SECONDS);
-    this.trails[number].setAttribute("points", trail.map(([x, up]) => x + "," + this.y(up)).join(" "));
+    this.showTrail(this.trails[number], "robots", number, time);
   }
 
-  labelled({ label, name, doing, radius }, number, time) {
-    const { x, y } = this.recording.robot(number, time);
+  /** Its place, too. */
+  showThing(shapes, number, time) {
+    const place = this.recording.thing(number, time);
+    shapes.group.setAttribute("transform", `translate(${place.x} ${this.y(place.y)})`);
+    this.showTrail(this.trails[this.robots.length + number], "things", number, time);
+    return place;
+  }
+
+  showTrail(trail, kind, number, time) {
+    const places = this.recording.trail(kind, number, time, TRAIL_SECONDS);
+    trail.setAttribute("points", places.map(([x, up]) => x + "," + this.y(up)).join(" "));
+  }
+
+  labelled({ label, name, doing, radius }, { x, y }) {
     return { text: label, name, doing: doing.textContent, x, y: this.y(y), radius };
   }
 
@@ -201,6 +224,10 @@ class Floor {
       (event) => event.what === "COLLISION" && event.who === name && event.t <= time && time < event.t + 1000,
     );
   }
+}
+
+function weight(grams) {
+  return grams < 1000 ? grams + " g" : grams / 1000 + " kg";
 }
 
 /** What an ultrasonic sensor sees, as far as its echo says. */

@@ -2,6 +2,7 @@
 
 const TELL = {
   COLLISION: (event) => "runs into " + event.whom,
+  PUSH: (event) => "pushes " + event.whom,
   CUP_GIVEN: (event) => "gets a cup from " + event.whom,
   CUP_LOST: () => "drops a cup on the floor",
   COFFEE_POURED: (event) => "gets coffee from " + event.whom,

@@ -2,6 +2,11 @@
 
 /** A run that goes as the floor goes. */
 class InnerStory extends Story {
+  /** Of so many slices each piece shows enough: most values last, and numbers of sensors are curves. */
+  get onPaper() {
+    return { fewest: 75, most: 75 };
+  }
+
   /** Who plays and steps is the floor's player. */
   tools() {
     return [this.zooms(), this.search.element];
@@ -11,10 +16,13 @@ class InnerStory extends Story {
 class Inside {
   /** @param stories one for each robot that has something to show, @param go moves the floor to a moment */
   constructor(stories, go) {
-    this.stories = stories;
+    this.data = stories;
+    this.index = 0;
     this.go = go;
+    this.changed = () => {};
     this.colours = new Colours();
     this.arrangement = new Arrangement();
+    this.arrangement.changed = () => this.changed();
     this.time = 0;
     this.place = element("article", { id: "story" });
     this.choices = stories.map((story, index) => button(story.title, "Inside of " + story.title, () => this.choose(index), { "aria-pressed": "false" }));
@@ -24,17 +32,19 @@ class Inside {
 
   /** Takes its place in the page, which says how large it is. */
   begin() {
-    if (this.stories.length > 0) {
+    if (this.data.length > 0) {
       this.choose(0);
     }
   }
 
   choose(index) {
-    this.current = new InnerStory(this.stories[index], this.colours, this.arrangement, () => this.moved());
+    this.index = index;
+    this.current = new InnerStory(this.data[index], this.colours, this.arrangement, () => this.moved());
     this.choices.forEach((choice, each) => choice.setAttribute("aria-pressed", String(each === index)));
     this.current.title = "";
     this.current.cursor = this.step();
     this.current.show(this.place);
+    this.changed();
   }
 
   /** The slice that a moment lies in; the first one until it begins. */
@@ -55,6 +65,7 @@ class Inside {
     if (this.current.cursor !== this.step()) {
       this.go(this.current.times[this.current.cursor]);
     }
+    this.changed();
   }
 
   /** Whether a key means something here. */
@@ -81,5 +92,38 @@ class Inside {
     } else {
       this.current.selectNext(direction);
     }
+  }
+}
+
+/** The address of a floor: its second, then what is to be seen inside of which robot. */
+class FloorAddress extends Address {
+  constructor(inside, player) {
+    super(inside);
+    this.player = player;
+    inside.changed = () => this.change();
+  }
+
+  open() {
+    super.open();
+    const second = parseFloat(location.hash.slice(1));
+    if (second >= 0) {
+      this.player.go(1000 * second);
+    }
+  }
+
+  show(index) {
+    this.stories.choose(index);
+  }
+
+  moment() {
+    return String(this.player.time / 1000);
+  }
+
+  change() {
+    this.follow(this.stories.current);
+  }
+
+  of(story) {
+    return story === undefined ? this.moment() : super.of(story);
   }
 }

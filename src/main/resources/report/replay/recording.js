@@ -94,15 +94,19 @@ class Recording {
     return { isPresent, cups };
   }
 
-  /** Where a robot was during the seconds before a moment: x, y, x, y. */
-  trail(number, time, seconds) {
+  /** Where a thing lies at a moment. */
+  thing(number, time) {
+    const index = this.index(time);
+    const here = this.frames[index].things[number];
+    const there = (this.frames[index + 1] ?? this.frames[index]).things[number];
+    const share = clamp((time - this.frames[index].t) / this.period, 0, 1);
+    return { x: here[0] + (there[0] - here[0]) * share, y: here[1] + (there[1] - here[1]) * share };
+  }
+
+  /** Where a robot or a thing was during the seconds before a moment: places of [x, y]. */
+  trail(kind, number, time, seconds) {
     const last = this.index(time);
     const first = Math.max(0, last - Math.round((1000 * seconds) / this.period));
-    const points = [];
-    for (let i = first; i <= last; i++) {
-      const robot = this.frames[i].robots[number];
-      points.push([robot[0], robot[1]]);
-    }
-    return points;
+    return this.frames.slice(first, last + 1).map((frame) => frame[kind][number]);
   }
 }

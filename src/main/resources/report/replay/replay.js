@@ -1,7 +1,10 @@
 // Begins.
 
 const inside = new Inside(JSON.parse(document.getElementById("inner").textContent).stories, (time) => stage.player.go(time));
-const stage = new Stage(new Recording(JSON.parse(document.getElementById("data").textContent)), (time) => inside.show(time));
+const stage = new Stage(new Recording(JSON.parse(document.getElementById("data").textContent)), (time) => {
+  inside.show(time);
+  inside.changed();
+});
 document.getElementById("scene").append(stage.floor.svg);
 document.getElementById("player").append(...stage.player.elements());
 if (stage.floor.ghost !== null) {
@@ -10,7 +13,7 @@ if (stage.floor.ghost !== null) {
 document.getElementById("robots").append(...stage.cards.cards.map((each) => each.card));
 document.getElementById("events").append(element("h2", {}, "What happened"), stage.happenings.list);
 document.getElementById("inside").append(inside.element);
-document.getElementById("inside").hidden = inside.stories.length === 0;
+document.getElementById("inside").hidden = inside.data.length === 0;
 inside.begin();
 listenToPrinters(inside);
 // A button that was clicked keeps the focus, and the keys work all the same.
@@ -21,5 +24,5 @@ document.addEventListener("keydown", (event) => {
     stage.key(event);
   }
 });
-// index.html#7.5 opens at that second.
-stage.player.go(1000 * Number(location.hash.slice(1)) || 0);
+stage.player.go(0);
+new FloorAddress(inside, stage.player).open();

@@ -106,7 +106,14 @@ class SensesTest {
         Senses senses = new Senses(world, seeds);
         Device.Sensor light = world.robots().get(0).kind().sensors().get(LIGHT);
         return LongStream.range(0, 300)
-                .mapToObj(tick -> new Scene(tick, start.robots(), start.drinkers(), List.of()))
+                .mapToObj(
+                        tick ->
+                                new Scene(
+                                        tick,
+                                        start.robots(),
+                                        start.drinkers(),
+                                        List.of(),
+                                        List.of()))
                 .map(scene -> senses.read(scene, 0, light))
                 .toList();
     }

@@ -30,6 +30,9 @@ public final class Desk {
 
     private static final int DEPTH = 2;
 
+    private static final String WITH_ERRORS =
+            ModelAnswers.refusal("there are errors in the models; repair them first");
+
     private ReadTexts read = ReadTexts.NONE;
     private OpenWorlds worlds = OpenWorlds.NONE;
     private @Nullable OpenModels models;
@@ -112,18 +115,21 @@ public final class Desk {
     }
 
     /**
-     * What the page's engine is to place for a picture.
+     * What the page's engine is to place for a picture. Errors elsewhere are no matter.
      *
      * @param automaton which of its automata; the component with its parts if negative
      * @param closed paths of parts that do not show what is inside
      */
     public String graph(String component, int automaton, String[] closed) {
-        return ask(
-                lowered -> {
-                    Drawing begun = new Drawing(graph(lowered, component, automaton, closed));
-                    drawing = begun;
-                    return begun.question();
-                });
+        return models == null
+                ? WITH_ERRORS
+                : answer(
+                        models.shown(),
+                        shown -> {
+                            Drawing begun = new Drawing(graph(shown, component, automaton, closed));
+                            drawing = begun;
+                            return begun.question();
+                        });
     }
 
     /** The picture that {@link #graph} was asked for, as SVG. */
@@ -150,11 +156,12 @@ public final class Desk {
 
     private String ask(Asking question) {
         Optional<LoweredModels> lowered = models == null ? Optional.empty() : models.lowered();
-        if (lowered.isEmpty()) {
-            return ModelAnswers.refusal("there are errors in the models; repair them first");
-        }
+        return lowered.map(all -> answer(all, question)).orElse(WITH_ERRORS);
+    }
+
+    private static String answer(LoweredModels models, Asking question) {
         try {
-            return question.of(lowered.get());
+            return question.of(models);
         } catch (WrongUse wrong) {
             return ModelAnswers.refusal(String.valueOf(wrong.getMessage()));
         }

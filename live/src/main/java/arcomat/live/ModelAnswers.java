@@ -3,7 +3,6 @@ package arcomat.live;
 import arcomat.live.json.JsonText;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.pipeline.check.LoweredModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Span;
@@ -27,10 +26,7 @@ final class ModelAnswers {
                     json.objects("findings", findings, ModelAnswers::finding);
                     json.field("meant", models.checked().suppressed().size());
                     json.field("whole", models.lowered().isPresent());
-                    json.objects(
-                            "components",
-                            models.lowered().map(LoweredModels::named).orElse(List.of()),
-                            ModelAnswers::component);
+                    json.objects("components", models.shown().named(), ModelAnswers::component);
                 });
     }
 

@@ -9,6 +9,7 @@ import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.translate.HouseLanguages;
@@ -21,13 +22,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /**
  * The models on the page: texts, what is found in them, and what they mean where nothing is wrong.
  *
  * @param lowered empty where there is an error
+ * @param shown what can be drawn: without files that have errors, and those that need them
  */
-record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered) {
+record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered, LoweredModels shown) {
 
     /**
      * Reads and checks texts as {@code arcomat check} does with files.
@@ -48,16 +51,31 @@ record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered) {
                                         loaded.broken(),
                                         Profile.REQUIREMENTS));
         CheckedModels checked = CheckedModels.of(loaded, workspace, review);
-        return new OpenModels(checked, meaning(checked, workspace));
+        Set<String> wrong = filesWithErrors(checked);
+        if (wrong.isEmpty()) {
+            LoweredModels all = new LoweredModels(checked, Lowering.lower(workspace));
+            return new OpenModels(checked, Optional.of(all), all);
+        }
+        return new OpenModels(checked, Optional.empty(), lowered(loaded.without(wrong), reader));
     }
 
-    private static Optional<LoweredModels> meaning(CheckedModels checked, Workspace workspace) {
-        boolean wrong =
-                checked.hasErrors()
-                        || checked.suppressed().stream().anyMatch(each -> each.finding().isError());
-        return wrong
-                ? Optional.empty()
-                : Optional.of(new LoweredModels(checked, Lowering.lower(workspace)));
+    /** Errors that are meant are among them. */
+    private static Set<String> filesWithErrors(CheckedModels checked) {
+        Set<String> files = new HashSet<>(checked.loaded().broken());
+        Stream.concat(
+                        checked.findings().stream(),
+                        checked.suppressed().stream().map(Suppressed::finding))
+                .filter(Diagnostic::isError)
+                .forEach(each -> files.add(each.span().file().path()));
+        return files;
+    }
+
+    /** Of models in which nothing is wrong. */
+    private static LoweredModels lowered(LoadedModels whole, BehaviourReader reader) {
+        Workspace workspace = Workspace.of(whole.units(), whole.broken(), reader);
+        CheckedModels checked =
+                CheckedModels.of(whole, workspace, new Review(List.of(), List.of()));
+        return new LoweredModels(checked, Lowering.lower(workspace));
     }
 
     private static LoadedModels load(ReadTexts texts, Set<String> needed) {

@@ -58,6 +58,27 @@ class DeskTest {
         assertThat(desk.facts("Lamp.arc", 0)).isEqualTo("{}");
     }
 
+    /** Where it has no part in it. */
+    @Test
+    void anErrorElsewhereForbidsNoPicture() {
+        String broken = LAMP.replace("Lamp", "Torch").replace("initial dark", "initial drk");
+        String pair = "component Pair { component Lamp lamp; component Torch torch; }";
+        String checked =
+                desk.check(
+                        new String[] {"Lamp.arc", "Torch.arc", "Pair.arc"},
+                        new String[] {LAMP, broken, pair},
+                        NOTHING);
+        assertThat(checked)
+                .contains("\"whole\":false")
+                .contains("{\"name\":\"Lamp\"")
+                .doesNotContain("{\"name\":\"Torch\"")
+                .doesNotContain("{\"name\":\"Pair\"");
+        assertThat(desk.graph("Lamp", 0, NOTHING)).contains("children").doesNotContain("refused");
+        assertThat(desk.graph("Torch", 0, NOTHING)).contains("refused");
+        assertThat(desk.graph("Pair", -1, NOTHING)).contains("refused");
+        assertThat(desk.run("Lamp", NOTHING, NO_CHOICE)).contains("refused");
+    }
+
     @Test
     void nothingIsAskedOfModelsWithErrors() {
         check("component {");

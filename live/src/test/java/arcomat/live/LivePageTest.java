@@ -52,6 +52,7 @@ class LivePageTest extends BrowserTest {
         Map<String, Executable> tests = new LinkedHashMap<>();
         tests.put("small", this::isSmall);
         tests.put("repairs", this::repairs);
+        tests.put("error elsewhere", this::drawsBesideErrors);
         tests.put("completes", this::completes);
         tests.put("half a line", this::liesHalfWritten);
         tests.put("wires", this::drawsWiresFromOwnPorts);
@@ -96,6 +97,42 @@ class LivePageTest extends BrowserTest {
         browser.picture("live-see-light");
         browser.wear("dark");
         browser.picture("live-see-dark");
+    }
+
+    /** What has errors stays as it was, and says so; what has none is drawn anew. */
+    private void drawsBesideErrors() {
+        LivePage.open(browser);
+        browser.await(() -> browser.findAll("#see .state").size() == 2);
+        replaceText("initial closed", "initial clsed");
+        browser.await(() -> status().startsWith("1 error"));
+        assertThat(browser.text("#stale")).startsWith("Door has errors");
+        assertThat(browser.findAll("#see .state")).hasSize(2);
+        browser.picture("live-old-light");
+        choose("Gate");
+        browser.await(() -> browser.text("#see").contains("Gate"));
+        replaceText("state closed, opened", "state closed, opened, ajar");
+        browser.await(() -> browser.findAll("#see .state").size() == 3);
+        assertThat(status()).startsWith("1 error");
+        assertThat(browser.find("#stale").isDisplayed()).isFalse();
+        choose("Door");
+        browser.await(() -> browser.text("#see").contains("nothing to see"));
+        replaceText("initial clsed", "initial closed");
+        browser.await(() -> browser.findAll("#see .state").size() == 2);
+        assertThat(browser.find("#stale").isDisplayed()).isFalse();
+    }
+
+    private void choose(String component) {
+        browser.run(
+                "const c = document.getElementById('component'); c.value = '%s';"
+                                .formatted(component)
+                        + "c.dispatchEvent(new Event('change'));");
+    }
+
+    /** In the text that is open. */
+    private void replaceText(String words, String others) {
+        browser.run(
+                "const from = page.editor.view.state.doc.toString().indexOf('%1$s');page.editor.view.dispatch({changes: {from, to: from + '%1$s'.length, insert: '%2$s'}});"
+                        .formatted(words, others));
     }
 
     /** Puts the cursor behind the words. */

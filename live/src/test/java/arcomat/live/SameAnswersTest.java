@@ -179,6 +179,7 @@ class SameAnswersTest extends BrowserTest {
         assertSameRuns(page, COFFEE, "world/service.world", 1);
         assertSameRuns(page, Path.of("../models/sprint"), "sprint.world", 2);
         assertSameRuns(page, RESOURCES.resolve("library"), "library.world", 2);
+        assertSameRuns(page, RESOURCES.resolve("world/plough"), "plough.world", 4);
     }
 
     private static void assertSameRuns(LivePage page, Path root, String world, int seeds)

@@ -57,6 +57,15 @@ public record LoadedModels(
                 libraries);
     }
 
+    /**
+     * The same but for the trees of some files, and of those that need them.
+     *
+     * @param wrong paths; those of files that could not be read may be among them
+     */
+    public LoadedModels without(Set<String> wrong) {
+        return only(WholeFiles.in(this, wrong));
+    }
+
     /** The same but for the trees of files that need others; what could be read is still there. */
     LoadedModels only(Set<String> whole) {
         return new LoadedModels(

@@ -53,7 +53,8 @@ record WorldChoices(SourceFile text, Path place, TextsAround around) {
 
     /** Whether a name is to be made up, which is the same in all runs. */
     private static boolean isNameOf(List<String> line) {
-        return line.size() == 1 && List.of("kind", "robot", "drinker").contains(line.get(0))
+        return line.size() == 1
+                        && List.of("kind", "robot", "drinker", "thing").contains(line.get(0))
                 || line.size() == 2 && line.get(0).equals("robots");
     }
 

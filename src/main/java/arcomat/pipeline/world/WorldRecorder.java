@@ -8,6 +8,7 @@ import arcomat.sim.device.Stimulus;
 import arcomat.sim.time.VirtualTime;
 import arcomat.sim.trace.Lateness;
 import arcomat.world.Kind;
+import arcomat.world.Point;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
@@ -15,6 +16,7 @@ import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.Scene.ThingState;
 import arcomat.world.Seeds;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
@@ -170,7 +172,8 @@ public final class WorldRecorder implements Witness {
             look(i, time, instruments.display(i));
             robots.add(frame(scene.robots().get(i), instruments.readings(i), displays[i]));
         }
-        frames.add(new Frame(time, robots, scene.drinkers()));
+        List<Point> things = scene.things().stream().map(ThingState::place).toList();
+        frames.add(new Frame(time, robots, scene.drinkers(), things));
     }
 
     private void look(int index, int time, String shown) {

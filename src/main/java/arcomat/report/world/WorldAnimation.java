@@ -58,6 +58,7 @@ public final class WorldAnimation {
         add("</g>");
         world.walls().forEach(wall -> outline(List.of(wall), "wall", 0));
         world.drinkers().forEach(this::drinker);
+        IntStream.range(0, world.things().size()).forEach(this::thing);
         IntStream.range(0, world.robots().size()).forEach(this::robot);
         double seconds = Keyframes.seconds(recording.duration());
         return """
@@ -108,6 +109,19 @@ public final class WorldAnimation {
         add(
                 "<text x=\"%s\" y=\"%s\">%s</text>",
                 x, number(y + 20), SelfContained.escaped(drinker.name()));
+    }
+
+    private void thing(int which) {
+        World.Thing thing = world.things().get(which);
+        List<Motion.Place> places =
+                recording.frames().stream()
+                        .map(frame -> frame.things().get(which))
+                        .map(place -> new Motion.Place(place.x(), down(place.y()), 0))
+                        .toList();
+        add("<g%s>", keyframes.moving(places));
+        add("<circle class=\"thing\" r=\"%s\"/>", number(thing.radius()));
+        add("<text y=\"20\">%s</text>", SelfContained.escaped(thing.name()));
+        add("</g>");
     }
 
     /** Drawn around (0, 0) with the front to the right; then moved and turned as a whole. */

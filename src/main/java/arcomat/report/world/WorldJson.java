@@ -97,8 +97,7 @@ public final class WorldJson {
 
     /** Other seeds from some moments on; absent where there are none. */
     private static Optional<List<Fields>> then(Seeds seeds) {
-        return Optional.of(seeds.changes().stream().map(WorldJson::of).toList())
-                .filter(changes -> !changes.isEmpty());
+        return some(seeds.changes().stream().map(WorldJson::of).toList());
     }
 
     private static Fields of(Seeds.Change change) {
@@ -116,7 +115,19 @@ public final class WorldJson {
                         "drinkers",
                         world.drinkers().stream()
                                 .map(each -> at(Fields.of("name", each.name()), each.spot()))
-                                .toList());
+                                .toList())
+                .with("things", some(world.things().stream().map(WorldJson::of).toList()));
+    }
+
+    /** Absent where there are none. */
+    private static <T> Optional<List<T>> some(List<T> all) {
+        return Optional.of(all).filter(each -> !each.isEmpty());
+    }
+
+    private static Fields of(World.Thing thing) {
+        return Fields.of("name", thing.name())
+                .with("radius", rounded(thing.radius()))
+                .with("mass", rounded(thing.mass()));
     }
 
     private static Fields of(World.Line line) {
@@ -163,7 +174,7 @@ public final class WorldJson {
 
     /**
      * {@code {"t", "robots": [[x, y, heading, left, right, cup, [readings], display, stock,
-     * brewing]], "drinkers": [[present, cups]]}}.
+     * brewing]], "drinkers": [[present, cups]], "things": [[x, y]]}}.
      */
     private static Fields of(Frame frame) {
         return Fields.of("t", frame.time())
@@ -172,7 +183,12 @@ public final class WorldJson {
                         "drinkers",
                         frame.drinkers().stream()
                                 .map(each -> List.of(each.present(), each.cups()))
-                                .toList());
+                                .toList())
+                .with("things", some(frame.things().stream().map(WorldJson::place).toList()));
+    }
+
+    private static List<Double> place(Point point) {
+        return List.of(rounded(point.x()), rounded(point.y()));
     }
 
     private static List<Object> of(RobotFrame robot) {

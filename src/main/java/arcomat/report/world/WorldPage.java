@@ -20,6 +20,7 @@ public final class WorldPage {
 
     private static final List<String> SCRIPTS =
             List.of(
+                    "address.js",
                     "replay/inside.js",
                     "replay/recording.js",
                     "replay/labels.js",

@@ -36,6 +36,7 @@ public final class WorldText {
         String whom = happening.whom();
         return switch (happening.what()) {
             case COLLISION -> "runs into " + whom;
+            case PUSH -> "pushes " + whom;
             case CUP_GIVEN -> "gets a cup from " + whom;
             case CUP_LOST -> "drops a cup on the floor";
             case COFFEE_POURED -> "gets coffee from " + whom;

@@ -66,7 +66,9 @@ class TracesTest {
                             recording.failures(),
                             recording.blind(),
                             recording.late())) {
-                digest.update(part.toString().getBytes(StandardCharsets.UTF_8));
+                // As it was written before there were things.
+                String text = part.toString().replace(", things=[]]", "]");
+                digest.update(text.getBytes(StandardCharsets.UTF_8));
             }
             return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
         } catch (NoSuchAlgorithmException e) {

@@ -46,7 +46,7 @@ class WorldAnimationTest {
         World world = WorldParser.parse(new SourceFile("w", text)).world().orElseThrow();
         List<Frame> frames =
                 IntStream.rangeClosed(0, 20)
-                        .mapToObj(i -> new Frame(100 * i, List.of(robot(i)), List.of()))
+                        .mapToObj(i -> new Frame(100 * i, List.of(robot(i)), List.of(), List.of()))
                         .toList();
         return new Recording(
                 world,

@@ -57,6 +57,7 @@ class WorldPageBrowserTest extends BrowserTest {
                 .as("for who does not see it")
                 .isEqualTo("7.0 s of 22.0 s: empty backing");
         isPrinted();
+        keepsItsAddress(page);
         browser.wear("dark");
         browser.picture("world-dark");
         browser.wear("light");
@@ -72,6 +73,27 @@ class WorldPageBrowserTest extends BrowserTest {
                 .noneMatch(WebElement::isDisplayed);
         browser.picture("world-printed");
         browser.wear("light");
+    }
+
+    /** Who opens the address sees the same: second, robot, row, folds. */
+    private void keepsItsAddress(String page) {
+        browser.findAll("#inside .choices button").get(1).click();
+        browser.find("#inside .group-box .group").click();
+        browser.find("#inside .group-box:not(.folded) .track .name").click();
+        String folded = browser.find("#inside .group-box.folded").getDomAttribute("data-name");
+        String row = browser.find("#inside .track.selected .name").getDomAttribute("title");
+        browser.await(() -> hash().startsWith("#7/") && hash().contains("/loaded/" + folded));
+        browser.open(page + "?kept" + hash(), ".floor .robot");
+        assertThat(browser.text("#clock")).startsWith("7.0 s");
+        assertThat(browser.find("#inside .choices [aria-pressed='true']").getText())
+                .isEqualTo("loaded");
+        assertThat(browser.findAll("#inside .group-box.folded")).hasSize(1);
+        assertThat(browser.find("#inside .track.selected .name").getDomAttribute("title"))
+                .isEqualTo(row);
+    }
+
+    private String hash() {
+        return (String) browser.run("return location.hash");
     }
 
     /** Of the robot that was chosen, at the moment of the floor; and the floor comes along. */

@@ -43,7 +43,7 @@ class WorldPageTest {
         return new Recording(
                 world,
                 Seeds.of(1).then(250, 7),
-                List.of(new Frame(0, List.of(robot), List.of())),
+                List.of(new Frame(0, List.of(robot), List.of(), List.of())),
                 List.of(new Event.Showed(0, "one", NASTY)),
                 Map.of("one", NASTY),
                 List.of(),

@@ -70,6 +70,7 @@ class SameTraceTest {
         "live/src/test/resources/floor/fails.world, live/src/test/resources/floor",
         "src/test/resources/library/library.world, src/test/resources/library",
         "src/test/resources/world/walk/walk.world, src/test/resources/world/walk",
+        "src/test/resources/world/plough/plough.world, src/test/resources/world/plough",
         "src/test/resources/campaign/joint/yard.world, src/test/resources/campaign/joint",
         "src/test/resources/campaign/watch/yard.world, src/test/resources/campaign/watch"
     })
