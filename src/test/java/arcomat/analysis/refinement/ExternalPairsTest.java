@@ -77,7 +77,7 @@ class ExternalPairsTest {
         }
         assertThat(stored.get(Answer.HOLDS)).isEqualTo(QUESTIONS / 15);
         assertThat(stored.get(Answer.FAILS)).isEqualTo(QUESTIONS / 15);
-        assertThat(blocks).isGreaterThan(10_000);
+        assertThat(blocks).isGreaterThan(100 * QUESTIONS);
     }
 
     private static SourceFile file(String name, String text) {
