@@ -4,6 +4,7 @@ import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.compositions.CompositionsGroup;
+import arcomat.benchmarks.data.DataGroup;
 import arcomat.benchmarks.editor.EditorGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.incremental.IncrementalGroup;
@@ -31,7 +32,7 @@ import java.util.Map;
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
  * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world,editor,
- * compositions}.
+ * compositions,data}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -45,7 +46,8 @@ public final class Main {
                     new BuildGroup(),
                     new WorldGroup(),
                     new EditorGroup(),
-                    new CompositionsGroup());
+                    new CompositionsGroup(),
+                    new DataGroup());
 
     private Main() {}
 

@@ -125,6 +125,16 @@ public record DataStep(
         }
     }
 
+    /** What ports show of variables while nothing changes, by the name of the port. */
+    public static Map<String, Expression> shown(
+            StepRelation relation, Configuration configuration) {
+        Map<String, List<Expression>> sends = new HashMap<>();
+        shown(relation, configuration, Map.of(), sends);
+        Map<String, Expression> values = new HashMap<>();
+        sends.forEach((port, value) -> values.put(port, value.get(0)));
+        return values;
+    }
+
     private static Expression isOutside(Expression value, Type type) {
         if (!(type instanceof Type.IntegerType integer) || !integer.ranged()) {
             return Hazard.NEVER;

@@ -31,7 +31,8 @@ public final class Formulas {
         return new Expression.Constant(new Value.BooleanValue(value), BOOLEAN, null);
     }
 
-    static Expression and(Expression left, Expression right) {
+    /** Both, as far as that is not known. */
+    public static Expression and(Expression left, Expression right) {
         if (isConstant(left, true)) {
             return right;
         }
@@ -41,7 +42,8 @@ public final class Formulas {
         return new Expression.Binary(BinaryOperator.AND, left, right, BOOLEAN, left.span());
     }
 
-    static Expression or(Expression left, Expression right) {
+    /** One of them, as far as that is not known. */
+    public static Expression or(Expression left, Expression right) {
         if (isConstant(left, false)) {
             return right;
         }
@@ -51,7 +53,8 @@ public final class Formulas {
         return new Expression.Binary(BinaryOperator.OR, left, right, BOOLEAN, left.span());
     }
 
-    static Expression not(Expression e) {
+    /** Its contrary. */
+    public static Expression not(Expression e) {
         if (isConstant(e, true) || isConstant(e, false)) {
             return isConstant(e, true) ? FALSE : TRUE;
         }

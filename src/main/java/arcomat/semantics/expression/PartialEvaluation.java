@@ -70,6 +70,11 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
     /** Operands have been computed already. */
     @Override
     public Expression otherwise(Expression e) {
+        return folded(e);
+    }
+
+    /** Its value, where all of its operands have one. */
+    static Expression folded(Expression e) {
         boolean closed =
                 !e.operands().isEmpty()
                         && e.operands().stream().allMatch(each -> value(each).isPresent());
@@ -77,7 +82,7 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
     }
 
     /** An operand that decides does so wherever it stands. */
-    private static Expression connective(Expression.Binary binary) {
+    static Expression connective(Expression.Binary binary) {
         Expression left =
                 binary.operator() == BinaryOperator.IMPLIES
                         ? Formulas.not(binary.left())

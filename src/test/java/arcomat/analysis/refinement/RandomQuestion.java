@@ -189,6 +189,64 @@ final class RandomQuestion {
         return List.of(text("Left", left), text("Right", right));
     }
 
+    /**
+     * The same models, but that {@code p} comes to the automaton of the left one by way of two
+     * other parts, the second of which undoes what the first has done.
+     */
+    List<String> composed() {
+        String there = WAYS.get(random.nextInt(WAYS.size()));
+        String core = text("Core", left);
+        return List.of(
+                COMPOSED.formatted(
+                        part("There", there),
+                        part("Back", there.replace(" + ", " - ")),
+                        core.indent(2).strip()),
+                text("Right", right));
+    }
+
+    private static final List<String> WAYS =
+            List.of(
+                    "s / {y = x};",
+                    "s / {y = x + 12};",
+                    "s / {y = x + q};",
+                    "s [x > q] / {y = x + q}; s [x <= q] / {y = x + q};",
+                    "s [q % 3 == 0] / {y = x}; s [q % 3 != 0] / {y = x + 1};");
+
+    private static String part(String name, String transitions) {
+        return """
+        component %s {
+            timing instant;
+            port <<total>> in Integer x, <<total>> in Integer q, <<total>> out Integer y;
+            <<completion = "error">> automaton { state s; initial s; %s }
+          }
+        """
+                .formatted(name, transitions)
+                .strip();
+    }
+
+    private static final String COMPOSED =
+            """
+            component Left {
+              port <<total>> in Integer p, <<total>> in Integer q, <<total>> in Double d,
+                   <<total>> in Double e, <<total>> in String t, <<total>> in String u, out Integer o;
+              %s
+              %s
+              %s
+              component There there;
+              component Back back;
+              component Core core;
+              connect p -> there.x;
+              connect there.y -> back.x;
+              connect back.y -> core.p;
+              connect q -> there.q, back.q, core.q;
+              connect d -> core.d;
+              connect e -> core.e;
+              connect t -> core.t;
+              connect u -> core.u;
+              connect core.o -> o;
+            }
+            """;
+
     private static String text(String name, List<Row> rows) {
         StringBuilder lines = new StringBuilder();
         for (Row row : rows) {

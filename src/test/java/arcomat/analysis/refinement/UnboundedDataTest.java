@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * Questions about Integers, Doubles and Strings without an end, beside Z3, which is told of vectors
@@ -30,9 +31,18 @@ class UnboundedDataTest {
 
     @Test
     void decidesAsZ3Does() {
+        compare(RandomQuestion::models);
+    }
+
+    @Test
+    void decidesCompositionsAsZ3Does() {
+        compare(RandomQuestion::composed);
+    }
+
+    private void compare(Function<RandomQuestion, List<String>> models) {
         Assumptions.assumeTrue(InstalledZ3.isThere(), "no program 'z3'");
         for (int seed = 0; seed < QUESTIONS; seed++) {
-            ask(seed);
+            ask(seed, models);
         }
         assertThat(open).hasSizeLessThanOrEqualTo(QUESTIONS / 20);
         assertThat(holds).isGreaterThan(QUESTIONS / 4);
@@ -40,9 +50,9 @@ class UnboundedDataTest {
         assertThat(compared).isGreaterThan(QUESTIONS * 3 / 4);
     }
 
-    private void ask(int seed) {
+    private void ask(int seed, Function<RandomQuestion, List<String>> models) {
         RandomQuestion question = new RandomQuestion(seed);
-        List<String> texts = question.models();
+        List<String> texts = models.apply(question);
         Model model =
                 ReadModels.model(
                         new SourceFile("Left.arc", texts.get(0)),

@@ -124,6 +124,8 @@ final class PackedAnswers {
      *
      * @param looks how a configuration of the left side looks at inputs
      * @param configuration gives the number of that configuration
+     * @throws PackedNetwork.CannotPack where messages are calculated with: then letters depend on
+     *     what parts are in that read nothing from outside
      */
     Frame frame(int set, long looks, IntSupplier configuration) {
         while (frames.size() <= set) {
@@ -131,7 +133,11 @@ final class PackedAnswers {
         }
         Frame known = frames.get(set).get(looks);
         if (known == null) {
-            Alphabet alphabet = product.alphabet(configuration.getAsInt(), set);
+            int left = configuration.getAsInt();
+            if (product.calculates(left, set)) {
+                throw new PackedNetwork.CannotPack("letters depend on more than looks tell");
+            }
+            Alphabet alphabet = product.alphabet(left, set);
             int[][] messages = messages(alphabet);
             Steps[] theirs = new Steps[messages.length];
             for (int letter = 0; letter < messages.length; letter++) {

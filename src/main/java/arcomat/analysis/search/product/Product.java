@@ -143,14 +143,19 @@ final class Product {
         LetterClasses own = left.letterClasses(configuration);
         int list = classList(set);
         int held = data.any() ? data.held(configuration, sets.members(set)) : 0;
-        boolean calculates =
-                own.calculates(data::isFree)
-                        || classLists.get(list).stream()
-                                .anyMatch(
-                                        one -> one.calculates(i -> data.isFree(rightPositions[i])));
-        return calculates
+        return calculates(configuration, set)
                 ? calculated(configuration, set, own, list, held)
                 : known(own, list, held);
+    }
+
+    /**
+     * Whether messages of too many values are calculated with, so that letters depend on all that a
+     * configuration is in.
+     */
+    boolean calculates(int configuration, int set) {
+        return left.letterClasses(configuration).calculates(data::isFree)
+                || classLists.get(classList(set)).stream()
+                        .anyMatch(one -> one.calculates(i -> data.isFree(rightPositions[i])));
     }
 
     private Alphabet known(LetterClasses own, int list, int held) {

@@ -2,6 +2,7 @@ package arcomat.analysis.search.system;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
+import arcomat.analysis.search.composition.ComposedSteps;
 import arcomat.analysis.search.composition.EventUnfolding;
 import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.composition.SliceUnfolding;
@@ -13,6 +14,7 @@ import arcomat.analysis.search.reduction.EqualParts;
 import arcomat.analysis.search.reduction.SmallerNetwork;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.smt.DataStep;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -52,6 +54,9 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
     private final Budget budget;
     private final Unfolding unfolding;
     private final Set<Integer> delayed;
+
+    /** Where they are asked for. */
+    private @Nullable ComposedSteps expressions;
 
     /** Data that the composition itself only passes on and compares, whatever others do. */
     private @Nullable DataIndependence own;
@@ -123,6 +128,10 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
 
     /** Whether its configurations can be packed: not those of events, which wait in queues. */
     public boolean canBePacked() {
+        return worksInSlices();
+    }
+
+    private boolean worksInSlices() {
         return profile() == Component.Profile.TIME_SYNCHRONOUS;
     }
 
@@ -238,6 +247,17 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
     @Override
     Steps compute(GlobalState before, long kind, Value[] letter) {
         return steps(before.isError() ? List.of() : unfolding.reactions(before, letter));
+    }
+
+    @Override
+    public Optional<List<DataStep>> dataSteps(int configuration) {
+        if (!worksInSlices()) {
+            return Optional.empty();
+        }
+        if (expressions == null) {
+            expressions = new ComposedSteps(network, unfolding.behaviours(), inputs(), compared);
+        }
+        return expressions.outOf(get(configuration));
     }
 
     private Steps steps(List<Unfolding.Step> all) {

@@ -1,0 +1,72 @@
+package arcomat.analysis.refinement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.Replay;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.model.Model;
+import arcomat.models.ReadModels;
+import arcomat.source.SourceFile;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/**
+ * Compositions whose parts calculate with Integers without an end, beside the same ones that get
+ * few of them: those are tried one by one. What holds for all messages holds for few.
+ */
+class UnboundedPartsTest {
+    private static final int QUESTIONS = Integer.getInteger("unbounded.parts", 80);
+
+    /** What takes longer, stays unknown, in nanoseconds. */
+    private static final long MOST_TIME = 2_000_000_000L;
+
+    private int holds;
+    private int fails;
+    private int decided;
+
+    @Test
+    void decidesAboutAllMessagesAsAboutFew() {
+        for (int seed = 0; seed < QUESTIONS; seed++) {
+            ask(seed);
+        }
+        assertThat(decided).isGreaterThan(QUESTIONS / 2);
+        assertThat(holds).isGreaterThan(QUESTIONS / 10);
+        assertThat(fails).isGreaterThan(QUESTIONS / 10);
+    }
+
+    private void ask(int seed) {
+        RandomParts question = new RandomParts(seed);
+        Verdict all = verdict(question.models("Integer"));
+        String about = "seed " + seed + ": " + String.join("\n", question.models("Integer"));
+        if (all.answer() == Answer.UNKNOWN) {
+            return;
+        }
+        decided++;
+        if (all.answer() == Answer.FAILS) {
+            fails++;
+            return;
+        }
+        holds++;
+        Verdict few = verdict(question.models("Integer[-3..5]"));
+        assertThat(few.answer()).as(about).isNotEqualTo(Answer.FAILS);
+    }
+
+    private static Verdict verdict(List<String> texts) {
+        Model model =
+                ReadModels.model(
+                        new SourceFile("Left.arc", texts.get(0)),
+                        new SourceFile("Right.arc", texts.get(1)));
+        Promise left = Promise.of(model.component("Left").orElseThrow(), List.of());
+        Promise right = Promise.of(model.component("Right").orElseThrow(), List.of());
+        long end = System.nanoTime() + MOST_TIME;
+        Verdict verdict =
+                Refinement.check(left, right, new Budget(() -> System.nanoTime() > end, 10_000));
+        if (verdict.answer() == Answer.FAILS && !verdict.trace().isEmpty()) {
+            Replay.check(left, right, verdict);
+        }
+        return verdict;
+    }
+}
