@@ -112,7 +112,10 @@ public final class ComposedSteps {
             this.ways = beginnings();
         }
 
-        /** The conditions of all ways stand in one step that does nothing. */
+        /**
+         * The conditions of all ways stand in one step that does nothing. Whether no transition is
+         * possible follows from them.
+         */
         List<DataStep> steps() {
             for (int part = 0; part < behaviours.size(); part++) {
                 List<Way> longer = new ArrayList<>();
@@ -316,7 +319,6 @@ public final class ComposedSteps {
 
             /** What happens where no transition is possible, and no guard goes wrong. */
             private void complete(List<Way> next) {
-                asks.add(idle);
                 Automaton.Completion completion = relation.automaton().completion();
                 if (idle.equals(Formulas.FALSE) || completion == Automaton.Completion.ERROR) {
                     return;
