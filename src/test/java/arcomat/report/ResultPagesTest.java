@@ -534,6 +534,43 @@ class ResultPagesTest {
                 .containsEntry("on", "on");
     }
 
+    /**
+     * As far as it can follow; where it cannot, its parts send nothing and stay where they were.
+     */
+    @Test
+    void aCounterexampleTellsWhatPartsOfTheRightSideSend() throws Exception {
+        write("Chain.arc", CHAIN.replace("PROMISE", "").replace("INVARIANT", ""));
+        write(
+                "Loud.arc",
+                """
+                component Loud refines Chain {
+                  port in Boolean go, out Boolean on;
+                  <<completion = "ignore">> automaton {
+                    state a, b;
+                    initial a / {on = false};
+                    a -> b {go == true} / {on = true};
+                    b {go == false} / {on = true};
+                  }
+                }
+                """);
+        Story story = firstVerdict();
+        assertThat(texts(track(story, "on"))).containsExactly("false", "true", "true");
+        assertThat(track(story, "right: maybe.said").group())
+                .isEqualTo(Track.PART + "right: maybe");
+        assertThat(texts(track(story, "right: maybe.said"))).containsExactly("-", "true", "-");
+        assertThat(texts(track(story, "right: repeat.o"))).containsExactly("false", "true", "-");
+        assertThat(texts(track(story, "right: maybe"))).containsExactly("calm", "loud", "loud");
+        assertThat(story.drawings())
+                .extracting(Drawing::title)
+                .containsExactly("right: Chain", "right: maybe", "right: repeat", "left: Loud");
+        assertThat(story.drawings().get(0).carried())
+                .containsEntry("repeat.i", "right: maybe.said")
+                .containsEntry("go", "go")
+                .doesNotContainKey("on");
+        assertThat(story.drawings().get(1).tracks())
+                .containsExactly("right: maybe", "right: maybe because");
+    }
+
     /** Of an invariant a step is a slice: what is sent with delay stands where it is seen. */
     @Test
     void aBrokenInvariantTellsWhatPartsSend() throws Exception {

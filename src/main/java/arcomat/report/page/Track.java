@@ -61,6 +61,11 @@ public record Track(
         return new Track(group, name, kind, before, values, others);
     }
 
+    /** The same under another heading, by another name. */
+    public Track called(String heading, String title) {
+        return new Track(heading, title, kind, before, values, runs);
+    }
+
     /** What a track tells of. */
     public enum Kind {
         /** Messages on a port. */

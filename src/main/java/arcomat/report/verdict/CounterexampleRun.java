@@ -24,10 +24,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What the parts of a composition do in a counterexample. The moments say what the left side shows
- * and, in words, where it is; this tries its choices one after the other until a run of the
- * interpreter shows the same. Where none is found nothing is told: what parts may have done is not
- * what they did.
+ * What the parts of a composition do in a counterexample. The moments say what a side shows and, in
+ * words, where it is, or may be; this tries its choices one after the other until a run of the
+ * interpreter shows the same. The right side is followed as far as it can do what the left one
+ * does. Where no run is found nothing is told: what parts may have done is not what they did.
  */
 final class CounterexampleRun {
     /** Steps of the interpreter in all tries: less than a second for forty parts. */
@@ -37,8 +37,13 @@ final class CounterexampleRun {
     private static final int BEGINNING = 50;
 
     private final Promise side;
+    private final boolean isLeft;
     private final Network network;
+
+    /** All that a side does: the last one shows what the right side cannot do. */
     private final List<Moment> moments;
+
+    private final Optional<Moment> impossible;
 
     /** Of a refinement, by moment what is sent in reaction to its input; of an invariant, empty. */
     private final List<Map<String, Sent>> reactions;
@@ -52,12 +57,16 @@ final class CounterexampleRun {
     private final Set<String> delayed = new HashSet<>();
     private int taken;
 
-    private CounterexampleRun(Answered answered) {
-        side = answered.sides().get(0);
+    private CounterexampleRun(Answered answered, int position) {
+        side = answered.sides().get(position);
+        isLeft = position == 0;
         network = side.network();
-        moments = answered.verdict().trace();
+        List<Moment> trace = answered.verdict().trace();
+        int last = trace.size() - 1;
+        moments = isLeft ? trace : trace.subList(0, last);
+        impossible = isLeft ? Optional.empty() : Optional.of(trace.get(last));
         begun = answered.question() == Answered.Question.REFINEMENT;
-        reactions = begun ? TraceReplay.reactions(answered.sides(), 0, moments) : List.of();
+        reactions = begun ? TraceReplay.reactions(answered.sides(), position, moments) : List.of();
         timed = side.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         moments.stream().skip(begun ? 1 : 0).map(Moment::input).forEach(letters::add);
         learnDelays();
@@ -80,15 +89,17 @@ final class CounterexampleRun {
 
     /**
      * A step for each moment. Of a refinement, each message stands where it is sent; of an
-     * invariant, where it is seen, as the moments have it. Empty where the left side is no
-     * composition, or no run is found.
+     * invariant, where it is seen, as the moments have it. Empty where the side is no composition,
+     * or no run is found.
+     *
+     * @param position of the side: 0 for the left one
      */
-    static Optional<TraceTracks> of(Answered answered) {
+    static Optional<TraceTracks> of(Answered answered, int position) {
         boolean told =
-                !answered.verdict().trace().isEmpty()
-                        && !answered.sides().isEmpty()
-                        && answered.sides().get(0).isComposition();
-        return told ? new CounterexampleRun(answered).search() : Optional.empty();
+                answered.verdict().trace().size() > position
+                        && answered.sides().size() > position
+                        && answered.sides().get(position).isComposition();
+        return told ? new CounterexampleRun(answered, position).search() : Optional.empty();
     }
 
     private Optional<TraceTracks> search() {
@@ -150,8 +161,13 @@ final class CounterexampleRun {
     private boolean isMeant(List<Trace.Step> steps, Interpreter interpreter) {
         int last = steps.size() - 1;
         return isShown(last, steps, interpreter)
-                && isThere(
-                        steps.get(last).activities(), moments.get(begun ? last + 1 : last).left());
+                && isThere(steps.get(last).activities(), moments.get(begun ? last + 1 : last));
+    }
+
+    /** Whether it is where the words say, or in one of the places where it may be. */
+    private boolean isThere(List<Trace.Activity> activities, Moment moment) {
+        List<String> places = isLeft ? List.of(moment.left()) : moment.right();
+        return places.stream().anyMatch(words -> isThere(activities, words));
     }
 
     /** Whether what is seen in a step is what the moments say, as far as they say anything. */
@@ -214,6 +230,15 @@ final class CounterexampleRun {
                                     : List.of(),
                             between(step, at(steps, moment))));
         }
+        impossible.ifPresent(
+                moment ->
+                        told.add(
+                                new Trace.Step(
+                                        told.size(),
+                                        moment.input(),
+                                        Letter.SILENCE,
+                                        List.of(),
+                                        Letter.SILENCE)));
         return told;
     }
 

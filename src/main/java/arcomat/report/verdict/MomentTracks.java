@@ -30,6 +30,7 @@ final class MomentTracks {
     private final RunDrawings pictures;
     private final List<Moment> trace;
     private final Optional<TraceTracks> inside;
+    private final Optional<RightSide> insideRight;
     private final List<Track> tracks = new ArrayList<>();
     private final List<Drawing> drawings = new ArrayList<>();
 
@@ -42,8 +43,10 @@ final class MomentTracks {
             outputs();
             states();
         }
-        inside = CounterexampleRun.of(answered);
+        inside = CounterexampleRun.of(answered, 0);
         inside.ifPresent(run -> tracks.addAll(run.states()));
+        insideRight = RightSide.of(answered);
+        insideRight.ifPresent(right -> tracks.addAll(right.tracks()));
         architectures();
         if (answered.question() == Answered.Question.REFINEMENT) {
             for (int side = 0; side < answered.sides().size(); side++) {
@@ -52,9 +55,14 @@ final class MomentTracks {
         }
     }
 
-    /** Whether it is told what parts do. */
+    /** Whether it is told what parts of the left side do. */
     boolean tellsOfParts() {
         return inside.isPresent();
+    }
+
+    /** Whether it is told what parts of the right side do. */
+    boolean tellsOfPartsOnTheRight() {
+        return insideRight.isPresent();
     }
 
     List<Track> tracks() {
@@ -71,14 +79,23 @@ final class MomentTracks {
         for (int side = 0; side < answered.sides().size(); side++) {
             Promise each = answered.sides().get(side);
             List<Drawing> own =
-                    side == 0 && inside.isPresent()
-                            ? inside.get().drawings(pictures)
-                            : each.isComposition()
-                                    ? List.of(pictures.parts(each.component(), Map.of()))
-                                    : List.of();
+                    told(side)
+                            .orElseGet(
+                                    () ->
+                                            each.isComposition()
+                                                    ? List.of(
+                                                            pictures.parts(
+                                                                    each.component(), Map.of()))
+                                                    : List.of());
             String name = answered.sides().size() < 2 ? "" : name(side) + ": ";
             own.forEach(drawing -> drawings.add(drawing.titled(name + drawing.title())));
         }
+    }
+
+    private Optional<List<Drawing>> told(int side) {
+        return side == 0
+                ? inside.map(run -> run.drawings(pictures))
+                : insideRight.map(right -> right.drawings(pictures));
     }
 
     private static String name(int side) {

@@ -20,6 +20,10 @@ import java.util.OptionalInt;
 
 /** Verdicts as a page: each counterexample as a run, beside the models of both sides. */
 public final class VerdictPage {
+    private static final String SENT =
+            "each message stands in the step in which it is sent. What a filled port sends is read"
+                    + " one step later.";
+
     private VerdictPage() {}
 
     /** Of one question, with limits that nobody tells. */
@@ -96,23 +100,32 @@ public final class VerdictPage {
                 title,
                 tone(verdict.answer()),
                 headline,
-                remarks(answered, tracks.tellsOfParts()),
+                remarks(answered, tracks),
                 timeline,
                 tracks.drawings());
     }
 
-    private static List<Remark> remarks(Answered answered, boolean tellsOfParts) {
+    private static List<Remark> remarks(Answered answered, MomentTracks tracks) {
         Verdict verdict = answered.verdict();
         List<Remark> remarks = new ArrayList<>();
         verdict.explanation().forEach(each -> remarks.add(remark(Tone.BAD, each)));
         verdict.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
-        if (tellsOfParts && answered.question() == Answered.Question.REFINEMENT) {
-            remarks.add(
-                    Remark.of(
-                            Tone.NEUTRAL,
-                            "Rows of parts tell one run of the left side that shows this: each"
-                                    + " message stands in the step in which it is sent. What a"
-                                    + " filled port sends is read one step later."));
+        if (answered.question() == Answered.Question.REFINEMENT) {
+            if (tracks.tellsOfParts()) {
+                remarks.add(
+                        Remark.of(
+                                Tone.NEUTRAL,
+                                "Rows of parts tell one run of the left side that shows this: "
+                                        + SENT));
+            }
+            if (tracks.tellsOfPartsOnTheRight()) {
+                remarks.add(
+                        Remark.of(
+                                Tone.NEUTRAL,
+                                "Rows of parts on the right tell one run of the right side that"
+                                        + " shows the same, as long as it can: "
+                                        + SENT));
+            }
         }
         if (!verdict.explored().isNothing()) {
             remarks.add(Remark.of(Tone.NEUTRAL, VerdictText.explored(verdict)));
