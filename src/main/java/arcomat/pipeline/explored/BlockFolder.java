@@ -16,6 +16,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.zip.CRC32C;
@@ -132,7 +133,7 @@ final class BlockFolder implements ExternalMemory, Closeable {
         try {
             Map<Long, Long> lengths = new TreeMap<>();
             for (Volume each : kept) {
-                open.get(each.name()).force();
+                Objects.requireNonNull(open.get(each.name())).force();
                 lengths.put(each.name(), each.blocks());
             }
             writeState(fresh, lengths);
@@ -141,7 +142,7 @@ final class BlockFolder implements ExternalMemory, Closeable {
             notes = Optional.of(fresh);
             for (long name : List.copyOf(open.keySet())) {
                 if (!committed.containsKey(name)) {
-                    open.remove(name).close();
+                    Objects.requireNonNull(open.remove(name)).close();
                 }
             }
             removeOthers();
