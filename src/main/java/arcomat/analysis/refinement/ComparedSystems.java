@@ -3,6 +3,7 @@ package arcomat.analysis.refinement;
 import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.encoding.SymbolicInclusion;
+import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.system.AutomataSystem;
@@ -107,15 +108,20 @@ public record ComparedSystems(
      * As above, with a second engine beside a long search.
      *
      * @param symbolic makes the systems that it is asked about: its own ones
+     * @param stores makes places for packed pairs; empty for those in memory
      */
-    TraceInclusion inclusion(Budget budget, Supplier<Optional<ComparedSystems>> symbolic) {
+    TraceInclusion inclusion(
+            Budget budget,
+            Supplier<Optional<ComparedSystems>> symbolic,
+            Optional<PairStore.Maker> stores) {
         return new TraceInclusion(
                 left,
                 right,
                 observed,
                 outputs,
                 budget,
-                () -> symbolic.get().flatMap(own -> own.symbolic(budget)));
+                () -> symbolic.get().flatMap(own -> own.symbolic(budget)),
+                stores);
     }
 
     /** An engine that does not look at configurations one by one, where there is one for these. */

@@ -4,6 +4,7 @@ import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Automaton;
@@ -34,12 +35,15 @@ public final class InvariantProof {
     private final Invariant invariant;
     private final InvariantWatch watch;
     private final Budget budget;
+    private final Optional<PairStore.Maker> stores;
 
-    private InvariantProof(Promise asked, Invariant invariant, Budget budget) {
+    private InvariantProof(
+            Promise asked, Invariant invariant, Budget budget, Optional<PairStore.Maker> stores) {
         this.asked = asked;
         this.invariant = invariant;
         this.watch = new InvariantWatch(asked.component(), invariant);
         this.budget = budget;
+        this.stores = stores;
     }
 
     /**
@@ -48,9 +52,24 @@ public final class InvariantProof {
      */
     public static Verdict check(
             Component component, List<Value> arguments, Invariant invariant, Budget budget) {
+        return check(component, arguments, invariant, budget, Optional.empty());
+    }
+
+    /**
+     * As above.
+     *
+     * @param stores makes places for packed pairs; empty for those in memory
+     */
+    public static Verdict check(
+            Component component,
+            List<Value> arguments,
+            Invariant invariant,
+            Budget budget,
+            Optional<PairStore.Maker> stores) {
         Promise asked = Promise.of(component, arguments);
         return Budget.within(
-                () -> new InvariantProof(asked, invariant, budget).verdict(), Verdict::unknown);
+                () -> new InvariantProof(asked, invariant, budget, stores).verdict(),
+                Verdict::unknown);
     }
 
     private Verdict verdict() {
@@ -112,7 +131,7 @@ public final class InvariantProof {
         Promise together = Promise.of(watch.together(), asked.arguments());
         ComparedSystems systems =
                 ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
-        TraceInclusion inclusion = systems.inclusion(budget, this::symbolic);
+        TraceInclusion inclusion = systems.inclusion(budget, this::symbolic, stores);
         return Budget.within(
                 () -> verdict(together, systems, inclusion).without(inclusion),
                 reason -> Verdict.unknown(reason, explored(inclusion)));

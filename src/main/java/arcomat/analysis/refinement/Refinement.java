@@ -5,6 +5,7 @@ import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
@@ -32,37 +34,58 @@ public final class Refinement {
     private static final String NOT_SHORTEST =
             "not all inputs could be told apart: there may be a shorter run";
 
-    private Refinement(Promise left, Promise right, Budget budget) {
+    private Refinement(
+            Promise left, Promise right, Budget budget, Optional<PairStore.Maker> stores) {
         this.left = left;
         this.right = right;
         this.systems = ComparedSystems.of(left, right, budget);
         this.inclusion =
                 systems.inclusion(
-                        budget, () -> Optional.of(ComparedSystems.of(left, right, budget)));
+                        budget, () -> Optional.of(ComparedSystems.of(left, right, budget)), stores);
     }
 
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
+        return check(left, right, budget, one -> Optional.empty());
+    }
+
+    /**
+     * As above.
+     *
+     * @param stores of each that is compared with the left side, makes places for packed pairs;
+     *     empty for those in memory
+     */
+    public static Verdict check(
+            Promise left,
+            Promise right,
+            Budget budget,
+            Function<Promise, Optional<PairStore.Maker>> stores) {
+        Function<Budget, Verdict> whole = less -> whole(left, right, less, stores);
         return Budget.within(
-                () -> Reflexivity.check(left, right, budget, less -> search(left, right, less)),
+                () ->
+                        Reflexivity.check(
+                                left, right, budget, less -> search(left, right, less, whole)),
                 Verdict::unknown);
     }
 
-    private static Verdict search(Promise left, Promise right, Budget budget) {
+    private static Verdict search(
+            Promise left, Promise right, Budget budget, Function<Budget, Verdict> whole) {
         return comparable(left, right, budget::insist)
-                .or(
-                        () ->
-                                CompositionalRefinement.check(
-                                        left, right, budget, less -> whole(left, right, less)))
-                .orElseGet(() -> whole(left, right, budget));
+                .or(() -> CompositionalRefinement.check(left, right, budget, whole))
+                .orElseGet(() -> whole.apply(budget));
     }
 
     /**
      * What there is to remark is asked last, and of what is told only: it may take all the time.
      */
-    private static Verdict whole(Promise left, Promise right, Budget budget) {
+    private static Verdict whole(
+            Promise left,
+            Promise right,
+            Budget budget,
+            Function<Promise, Optional<PairStore.Maker>> stores) {
         List<Promise> each = right.each();
-        List<Verdict> verdicts = each.stream().map(one -> compare(left, one, budget)).toList();
+        List<Verdict> verdicts =
+                each.stream().map(one -> compare(left, one, budget, stores.apply(one))).toList();
         Verdict told = all(verdicts);
         int which = verdicts.indexOf(told);
         return which < 0 ? told : noted(left, each.get(which), told, budget);
@@ -153,8 +176,22 @@ public final class Refinement {
      */
     public static Verdict compare(
             Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
+        return compare(left, right, budget, Optional.empty(), proof);
+    }
+
+    static Verdict compare(
+            Promise left, Promise right, Budget budget, Optional<PairStore.Maker> stores) {
+        return compare(left, right, budget, stores, certificate -> {});
+    }
+
+    private static Verdict compare(
+            Promise left,
+            Promise right,
+            Budget budget,
+            Optional<PairStore.Maker> stores,
+            Consumer<Supplier<Certificate>> proof) {
         return Budget.within(
-                () -> new Refinement(left, right, budget).verdict(proof), Verdict::unknown);
+                () -> new Refinement(left, right, budget, stores).verdict(proof), Verdict::unknown);
     }
 
     private Verdict verdict(Consumer<Supplier<Certificate>> proof) {
@@ -209,7 +246,7 @@ public final class Refinement {
 
     private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
         return Budget.within(
-                () -> new Refinement(left, right, budget).allFailures(),
+                () -> new Refinement(left, right, budget, Optional.empty()).allFailures(),
                 reason -> List.of(Verdict.unknown(reason)));
     }
 

@@ -39,7 +39,16 @@ public record AnalysisLimits(
 
     /** How much may be explored until then. */
     public Budget budget() {
+        return budget(states.orElseGet(Budget::statesOfHeap));
+    }
+
+    /** As above, where states need not be in memory. */
+    Budget beyondMemory() {
+        return budget(states.orElse(Long.MAX_VALUE));
+    }
+
+    private Budget budget(long most) {
         Lookout lookout = Lookout.post(end(begun.orElseGet(System::nanoTime)));
-        return new Budget(lookout::isLate, lookout::isFull, states.orElseGet(Budget::statesOfHeap));
+        return new Budget(lookout::isLate, lookout::isFull, most);
     }
 }

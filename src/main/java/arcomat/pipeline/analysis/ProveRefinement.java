@@ -94,7 +94,7 @@ public record ProveRefinement(
             return answered(left, title, verdict, through.sides(left, right), session);
         }
         session.progress().step("comparing");
-        Verdict verdict = decider.decide(left, right, limits, session.names());
+        Verdict verdict = decider.about(models).decide(left, right, limits, session.names());
         return answered(left, right.title(), verdict, List.of(left, right), session);
     }
 

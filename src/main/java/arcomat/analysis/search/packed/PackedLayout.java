@@ -1,5 +1,7 @@
 package arcomat.analysis.search.packed;
 
+import java.util.Arrays;
+
 /** Where numbers stand in some words: each has as many bits as it needs, and lies in one word. */
 public final class PackedLayout {
     private final int[] widths;
@@ -43,8 +45,19 @@ public final class PackedLayout {
         return (int) (from[places[field]] >>> shifts[field]) & (1 << widths[field]) - 1;
     }
 
-    int width(int field) {
+    /** How many fields there are. */
+    public int fields() {
+        return widths.length;
+    }
+
+    /** The bits of a field. */
+    public int width(int field) {
         return widths[field];
+    }
+
+    /** Whether all fields stand where they do in another layout. */
+    public boolean hasWidthsOf(PackedLayout other) {
+        return Arrays.equals(widths, other.widths);
     }
 
     int word(int field) {
@@ -70,8 +83,8 @@ public final class PackedLayout {
         return value >>> widths[field] == 0;
     }
 
-    /** The same fields in another layout. */
-    void move(long[] from, PackedLayout to, long[] into) {
+    /** The same fields in another layout; into what is 0. */
+    public void move(long[] from, PackedLayout to, long[] into) {
         for (int field = 0; field < widths.length; field++) {
             to.put(into, field, get(from, field));
         }

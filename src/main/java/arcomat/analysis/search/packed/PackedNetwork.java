@@ -35,6 +35,9 @@ public final class PackedNetwork {
     /** More parts than that are told apart too seldom for their bits to be found one by one. */
     private static final int MOST_PARTS = 500;
 
+    /** Any odd number with many bits. */
+    private static final long DIGEST = 0x9E3779B97F4A7C15L;
+
     /** A part leaves open what somebody reads: only the unfolding divides that. */
     public static final class CannotPack extends RuntimeException {
         private static final long serialVersionUID = 1L;
@@ -77,6 +80,7 @@ public final class PackedNetwork {
     private final int markField;
     private final List<List<Integer>> alike;
     private int marks = 1;
+    private int computed;
 
     /**
      * @param behaviours one per instance
@@ -119,7 +123,7 @@ public final class PackedNetwork {
                                     behaviours.get(part),
                                     numbers(instance.inputSignals()),
                                     numbers(instance.outputSignals()),
-                                    between,
+                                    () -> compute(between),
                                     () -> takes.test(Shortcut.ALIKE)));
             instance.inputSignals().stream().filter(s -> s >= 0).forEach(s -> read[s] = true);
         }
@@ -139,6 +143,43 @@ public final class PackedNetwork {
         markField = field;
         alike = alike(network);
         parts.get(0).number(List.of(Configuration.ERROR));
+    }
+
+    private void compute(Runnable between) {
+        computed++;
+        between.run();
+    }
+
+    /** Grows whenever what a part does is computed, which may be known from then on. */
+    public int computed() {
+        return computed;
+    }
+
+    /** How many things have been met, by part and by signal. */
+    public int[] met() {
+        return IntStream.concat(
+                        parts.stream().mapToInt(PartOutcomes::size),
+                        messages.stream().mapToInt(Numbering::size))
+                .toArray();
+    }
+
+    /**
+     * Whoever has met the same things in the same order has the same; nobody else, in practice.
+     *
+     * @param first so many things count, by part and by signal
+     */
+    public long digest(int[] first) {
+        long digest = 0;
+        for (int i = 0; i < first.length; i++) {
+            for (int number = 0; number < first[i]; number++) {
+                Object thing =
+                        i < parts.size()
+                                ? parts.get(i).configuration(number)
+                                : messages.get(i - parts.size()).get(number);
+                digest = digest * DIGEST + thing.toString().hashCode();
+            }
+        }
+        return digest;
     }
 
     /** Per signal, whether it has delay, and somebody reads it. */

@@ -92,6 +92,7 @@ final class PackedAnswers {
     private final Map<Alphabet, int[][]> letters = new IdentityHashMap<>();
     private boolean chaosReached;
     private boolean promising;
+    private int computed;
 
     PackedAnswers(Product product, NetworkSystem left, PackedNetwork network) {
         this.product = product;
@@ -102,6 +103,11 @@ final class PackedAnswers {
     /** In a new layout, what is shown has other numbers. */
     void forgetShown() {
         sentByShown = new LongIntHashMap();
+    }
+
+    /** Grows whenever an answer is computed, which is known from then on. */
+    int computed() {
+        return computed;
     }
 
     /** Whether the right side may be in chaos somewhere. */
@@ -133,6 +139,7 @@ final class PackedAnswers {
         }
         Frame known = frames.get(set).get(looks);
         if (known == null) {
+            computed++;
             int left = configuration.getAsInt();
             if (product.calculates(left, set)) {
                 throw new PackedNetwork.CannotPack("letters depend on more than looks tell");
@@ -185,6 +192,7 @@ final class PackedAnswers {
     Answer answer(Frame frame, int letter, int sent) {
         Answer known = frame.answer(letter, sent);
         if (known == null) {
+            computed++;
             known = answer(sent, frame.theirs[letter], false);
             frame.put(letter, sent, known);
         }

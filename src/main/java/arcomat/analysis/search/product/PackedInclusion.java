@@ -7,11 +7,13 @@ import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.analysis.search.packed.PackedSlices;
+import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.PackedAnswers.Answer;
 import arcomat.analysis.search.product.PackedAnswers.Frame;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
 
@@ -40,15 +42,13 @@ final class PackedInclusion {
             boolean chaosReached,
             boolean promising) {}
 
-    private static final int NONE = PackedPairs.NONE;
-
     private final Product product;
     private final NetworkSystem left;
     private final PackedNetwork network;
     private final Budget budget;
     private final SymbolicTurns symbolic;
     private final PackedAnswers answers;
-    private final PackedPairs pairs;
+    private final PairStore pairs;
     private PackedLayout layout;
     private PackedSlices slices;
 
@@ -57,11 +57,13 @@ final class PackedInclusion {
 
     private long[] configuration;
     private long[] key;
-    private int failed = NONE;
-    private int failedCost;
 
     private PackedInclusion(
-            Product product, NetworkSystem left, Budget budget, SymbolicTurns symbolic) {
+            Product product,
+            NetworkSystem left,
+            Budget budget,
+            SymbolicTurns symbolic,
+            PairStore.Maker stores) {
         this.product = product;
         this.left = left;
         this.budget = budget;
@@ -71,7 +73,7 @@ final class PackedInclusion {
         layout = network.layout();
         slices = PackedSlices.of(network, layout);
         canonical = network.canonical(layout);
-        pairs = new PackedPairs(network, layout);
+        pairs = stores.of(network, layout);
         configuration = new long[layout.words()];
         key = new long[layout.words()];
     }
@@ -87,14 +89,16 @@ final class PackedInclusion {
      * Ready to search; empty where that is not possible.
      *
      * @param symbolic asked beside the search
+     * @param stores makes the place for pairs
      */
-    static Optional<PackedInclusion> of(Product product, Budget budget, SymbolicTurns symbolic) {
+    static Optional<PackedInclusion> of(
+            Product product, Budget budget, SymbolicTurns symbolic, PairStore.Maker stores) {
         if (!isFor(product)) {
             return Optional.empty();
         }
         try {
             NetworkSystem network = (NetworkSystem) product.left;
-            return Optional.of(new PackedInclusion(product, network, budget, symbolic));
+            return Optional.of(new PackedInclusion(product, network, budget, symbolic, stores));
         } catch (CannotPack unfit) {
             return Optional.empty();
         }
@@ -103,9 +107,19 @@ final class PackedInclusion {
     /** Empty where only the unpacked search can tell. */
     Optional<Found> run() {
         try {
-            return open() ? Optional.of(levels()) : Optional.empty();
+            if (!open()) {
+                return Optional.empty();
+            }
+            PackedLayout before = pairs.resume(() -> widening(this::expand));
+            if (before != null) {
+                use(before);
+            }
+            return Optional.of(levels());
         } catch (CannotPack unfit) {
             return Optional.empty();
+        } catch (GivenUp inTheMiddle) {
+            pairs.close();
+            throw inTheMiddle;
         }
     }
 
@@ -115,7 +129,7 @@ final class PackedInclusion {
     }
 
     /** How many pairs have been met. */
-    int size() {
+    long size() {
         return pairs.size();
     }
 
@@ -126,8 +140,13 @@ final class PackedInclusion {
 
     /** Goes on in a layout for all that has been met. */
     private void widen() {
-        layout = network.layout();
-        pairs.move(layout);
+        PackedLayout wider = network.layout();
+        pairs.move(wider);
+        use(wider);
+    }
+
+    private void use(PackedLayout other) {
+        layout = other;
         slices = PackedSlices.of(network, layout);
         canonical = network.canonical(layout);
         answers.forgetShown();
@@ -168,26 +187,39 @@ final class PackedInclusion {
     private void begin(int next, int set, int cost) {
         network.pack(left.state(next), layout, key);
         canonical.accept(key);
-        reach(NONE, set, cost);
+        reach(PairStore.NONE, set, cost);
     }
 
     private Found levels() {
-        int[] frontier = pairs.nextLevel();
-        while (frontier.length > 0 && failed == NONE) {
-            for (int node : frontier) {
+        do {
+            while (pairs.next()) {
                 @Nullable String exhausted = exhausted();
                 if (exhausted != null) {
-                    boolean proved = failed == NONE && symbolic.proveAlone(pairs.size());
+                    boolean proved = !pairs.hasFailed() && symbolic.proveAlone(pairs.size());
                     return found(proved ? Optional.empty() : Optional.of(exhausted));
                 }
-                widening(() -> expand(node));
-                if (failed == NONE && symbolic.prove(pairs.size())) {
+                visit();
+                if (!pairs.hasFailed() && symbolic.prove(pairs.size())) {
                     return found(Optional.empty());
                 }
             }
-            frontier = pairs.nextLevel();
-        }
+        } while (!pairs.hasFailed() && pairs.nextLevel());
         return found(Optional.empty());
+    }
+
+    private void visit() {
+        int known = computed();
+        try {
+            widening(this::expand);
+        } finally {
+            if (computed() != known) {
+                pairs.learn();
+            }
+        }
+    }
+
+    private int computed() {
+        return network.computed() + answers.computed();
     }
 
     private @Nullable String exhausted() {
@@ -198,8 +230,8 @@ final class PackedInclusion {
     private Found found(Optional<String> stopped) {
         pairs.close();
         return new Found(
-                pairs.path(failed),
-                failedCost,
+                pairs.path(),
+                pairs.failedCost(),
                 stopped,
                 answers.chaosReached(),
                 answers.promising());
@@ -220,8 +252,9 @@ final class PackedInclusion {
         return Arrays.equals(key, pair);
     }
 
-    private void expand(int node) {
-        pairs.get(node, configuration);
+    private void expand() {
+        pairs.get(configuration);
+        int node = pairs.node();
         int set = layout.get(configuration, network.markField());
         layout.clear(configuration, network.markField());
         if (network.hasEnded(configuration, layout)) {
@@ -229,7 +262,7 @@ final class PackedInclusion {
         }
         slices.begin(configuration);
         Frame frame = answers.frame(set, slices.looks(), this::number);
-        int cost = pairs.cost(node);
+        int cost = pairs.cost();
         for (int letter = 0; letter < frame.messages.length; letter++) {
             slices.read(frame.messages[letter]);
             int more = cost + frame.cost(letter);
@@ -253,9 +286,8 @@ final class PackedInclusion {
             slices.after(key);
             canonical.accept(key);
             reach(node, next, total);
-            if (next == PackedAnswers.FAILS && (failed == NONE || total < failedCost)) {
-                failed = node;
-                failedCost = total;
+            if (next == PackedAnswers.FAILS) {
+                pairs.fail(node, total);
             }
         }
     }

@@ -4,6 +4,7 @@ import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.analysis.search.packed.PackedTable;
+import arcomat.analysis.search.packed.PairStore;
 
 import com.carrotsearch.hppc.IntArrayList;
 
@@ -11,14 +12,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/**
- * The pairs that a packed search has met, level by level, each with the pair before it and the
- * messages that it took. A pair is a packed configuration with the number of a set as its mark.
- */
-final class PackedPairs {
-    /** In place of a pair, before a beginning. */
-    static final int NONE = -1;
-
+/** Pairs in memory. */
+final class PackedPairs implements PairStore {
     private final PackedNetwork network;
     private PackedLayout layout;
     private PackedTable pairs;
@@ -40,6 +35,10 @@ final class PackedPairs {
     private IntArrayList nextCosts = new IntArrayList();
     private int levelStart;
     private int nextStart;
+    private int[] level = new int[0];
+    private int position = -1;
+    private int failed = NONE;
+    private int failedCost;
 
     PackedPairs(PackedNetwork network, PackedLayout layout) {
         this.network = network;
@@ -49,8 +48,8 @@ final class PackedPairs {
         waitingKeys = new long[layout.words() * PackedTable.MOST_TOUCHED];
     }
 
-    /** The same pairs in another layout. */
-    void move(PackedLayout to) {
+    @Override
+    public void move(PackedLayout to) {
         addWaiting();
         pairs = pairs.moved(layout, to);
         loose = loose.moved(layout, to);
@@ -58,33 +57,35 @@ final class PackedPairs {
         layout = to;
     }
 
-    /** How many there are, but for those that wait. */
-    int size() {
+    @Override
+    public long size() {
         return pairs.size();
     }
 
-    /** Nobody waits where there may be more than so many. */
-    void countBeyond(long most) {
+    @Override
+    public void countBeyond(long most) {
         if (pairs.size() + waiting > most) {
             addWaiting();
         }
     }
 
-    void get(int number, long[] into) {
-        pairs.get(number, into);
+    @Override
+    public void get(long[] into) {
+        pairs.get(level[position], into);
     }
 
-    /** The messages on the way to a pair of the level that is expanded. */
-    int cost(int number) {
-        return costs.get(number - levelStart);
+    @Override
+    public int node() {
+        return level[position];
     }
 
-    /**
-     * A configuration is reached, together with a set.
-     *
-     * @param key the configuration; marked here
-     */
-    void add(long[] key, int parent, int set, int cost) {
+    @Override
+    public int cost() {
+        return costs.get(level[position] - levelStart);
+    }
+
+    @Override
+    public void add(long[] key, int parent, int set, int cost) {
         if (!layout.fits(network.markField(), set)) {
             throw new TooNarrow();
         }
@@ -97,9 +98,27 @@ final class PackedPairs {
         costsOfWaiting[waiting++] = cost;
     }
 
-    /** A configuration is reached where the right side does not matter any more. */
-    void addLoose(long[] key) {
+    @Override
+    public void addLoose(long[] key) {
         loose.add(key);
+    }
+
+    @Override
+    public void fail(int parent, int cost) {
+        if (failed == NONE || cost < failedCost) {
+            failed = parent;
+            failedCost = cost;
+        }
+    }
+
+    @Override
+    public boolean hasFailed() {
+        return failed != NONE;
+    }
+
+    @Override
+    public int failedCost() {
+        return failedCost;
     }
 
     private void addWaiting() {
@@ -122,14 +141,21 @@ final class PackedPairs {
         }
     }
 
-    /** The pairs of the level that has been found, those that took fewer messages first. */
-    int[] nextLevel() {
+    @Override
+    public boolean nextLevel() {
         addWaiting();
         costs = nextCosts;
         nextCosts = new IntArrayList();
         levelStart = nextStart;
         nextStart = pairs.size();
-        return sorted();
+        level = sorted();
+        position = -1;
+        return level.length > 0;
+    }
+
+    @Override
+    public boolean next() {
+        return ++position < level.length;
     }
 
     /** By counting; those that cost the same keep their order. */
@@ -148,17 +174,17 @@ final class PackedPairs {
         for (int i = 1; i < starts.length; i++) {
             starts[i] += starts[i - 1];
         }
-        int[] level = new int[count];
+        int[] sorted = new int[count];
         for (int i = 0; i < count; i++) {
-            level[starts[costs.get(i) - least]++] = levelStart + i;
+            sorted[starts[costs.get(i) - least]++] = levelStart + i;
         }
-        return level;
+        return sorted;
     }
 
-    /** The pairs that lead to one, it included, a beginning first. */
-    List<long[]> path(int last) {
+    @Override
+    public List<long[]> path() {
         List<long[]> path = new ArrayList<>();
-        for (int node = last; node != NONE; node = parents.get(node)) {
+        for (int node = failed; node != NONE; node = parents.get(node)) {
             long[] key = new long[layout.words()];
             pairs.get(node, key);
             path.add(key);
@@ -167,8 +193,8 @@ final class PackedPairs {
         return path;
     }
 
-    /** How many configurations have been met, whatever the set beside them. */
-    int configurations(int sets) {
+    @Override
+    public int configurations(int sets) {
         if (sets <= 1 && loose.size() == 0) {
             return pairs.size();
         }
@@ -186,8 +212,8 @@ final class PackedPairs {
         return all.size();
     }
 
-    /** After the last step of a search. */
-    void close() {
+    @Override
+    public void close() {
         addWaiting();
     }
 }

@@ -5,6 +5,7 @@ import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.encoding.SymbolicInclusion;
 import arcomat.analysis.search.letter.Alphabet;
+import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
@@ -50,6 +51,7 @@ public final class TraceInclusion {
     private final SimulationRelation simulation;
     private final Antichain pairs;
     private final SymbolicTurns symbolic;
+    private final PairStore.Maker stores;
     private boolean chaosReached;
     private boolean promising;
     private @Nullable PackedInclusion packed;
@@ -69,13 +71,14 @@ public final class TraceInclusion {
             List<Port> observed,
             OutputCubes outputs,
             Budget budget) {
-        this(left, right, observed, outputs, budget, Optional::empty);
+        this(left, right, observed, outputs, budget, Optional::empty, PackedPairs::new);
     }
 
     /**
      * @param observed the output ports of the right side, as cubes list them
      * @param symbolic makes an engine for the same question, which is asked beside a long search
      *     and ends it where it has proved the inclusion
+     * @param stores makes places for packed pairs; empty for those in memory
      */
     public TraceInclusion(
             TransitionSystem left,
@@ -83,7 +86,20 @@ public final class TraceInclusion {
             List<Port> observed,
             OutputCubes outputs,
             Budget budget,
-            Supplier<Optional<SymbolicInclusion>> symbolic) {
+            Supplier<Optional<SymbolicInclusion>> symbolic,
+            Optional<PairStore.Maker> stores) {
+        this(left, right, observed, outputs, budget, symbolic, stores.orElse(PackedPairs::new));
+    }
+
+    private TraceInclusion(
+            TransitionSystem left,
+            TransitionSystem right,
+            List<Port> observed,
+            OutputCubes outputs,
+            Budget budget,
+            Supplier<Optional<SymbolicInclusion>> symbolic,
+            PairStore.Maker stores) {
+        this.stores = stores;
         this.symbolic = new SymbolicTurns(symbolic, budget);
         this.product = new Product(left, right, observed, outputs, budget);
         this.budget = budget;
@@ -178,7 +194,7 @@ public final class TraceInclusion {
      */
     private Optional<Result> packed(
             Product asked, NetworkSystem whole, UnaryOperator<GlobalState> image) {
-        Optional<PackedInclusion> search = PackedInclusion.of(asked, budget, symbolic);
+        Optional<PackedInclusion> search = PackedInclusion.of(asked, budget, symbolic, stores);
         if (search.isEmpty()) {
             return Optional.empty();
         }

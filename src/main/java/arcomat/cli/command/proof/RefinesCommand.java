@@ -4,6 +4,7 @@ import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.ComparisonCommand;
 import arcomat.cli.option.PageOption;
+import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -71,6 +72,16 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
     private String doubted;
 
     @Option(
+            names = "--disk",
+            paramLabel = "FOLDER",
+            description = {
+                "Keep what is explored in files there, not in memory; the same command goes on"
+                        + " where",
+                "it was ended."
+            })
+    private String disk;
+
+    @Option(
             names = "--diagram",
             paramLabel = "FILE",
             description = "Where it fails, draw how: an .svg or .png file.")
@@ -95,6 +106,11 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
                             + " --certificate; leave one of them out");
         }
         boolean plain = engine == Engine.arcomat && certificate == null && doubted == null;
+        if (disk != null && (!plain || map != null)) {
+            throw new WrongUse(
+                    "--disk is for the search of this tool, without maps and certificates; leave"
+                            + " one of them out");
+        }
         if (map != null && !plain) {
             throw new WrongUse(
                     "--map asks the engine of this tool, and has no certificates yet; leave one of"
@@ -123,6 +139,9 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
         }
         if (doubted != null) {
             return new Prover.Verifier(doubted);
+        }
+        if (disk != null) {
+            return new Prover.EngineOnDisk(disk, Version.identity());
         }
         return certificate == null ? new Prover.Engine() : new Prover.CertifyingEngine(certificate);
     }

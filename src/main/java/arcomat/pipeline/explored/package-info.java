@@ -1,0 +1,5 @@
+/**
+ * What a search has explored, in the files of a folder: for one question, about these models, by
+ * this version of the tool. It is gone on with after whatever has ended the search.
+ */
+package arcomat.pipeline.explored;
