@@ -26,6 +26,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -159,7 +160,7 @@ public final class ExploredFolder implements Closeable {
 
     /** What the user is told where the files failed. */
     public static WrongUse failure(String written, UncheckedIOException failed) {
-        IOException reason = failed.getCause();
+        IOException reason = Objects.requireNonNull(failed.getCause());
         return new WrongUse(
                 "cannot keep what is explored in '%s': %s; %s",
                 written,
