@@ -1,19 +1,15 @@
 package arcomat.benchmarks.analysis;
 
 import arcomat.analysis.refinement.Promise;
-import arcomat.lower.Lowering;
+import arcomat.benchmarks.measure.LoweredSources;
 import arcomat.model.Model;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parser;
-import arcomat.translate.HouseLanguages;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Stream;
 
 /** From texts to what is compared. */
@@ -26,7 +22,7 @@ record Models(Model model) {
         for (int i = 0; i < texts.length; i++) {
             sources.add(new SourceFile("load/" + i + ".arc", texts[i]));
         }
-        return lower(sources);
+        return new Models(LoweredSources.of(sources));
     }
 
     /** The case study. */
@@ -42,18 +38,7 @@ record Models(Model model) {
                         new SourceFile(root.relativize(file).toString(), Files.readString(file)));
             }
         }
-        return lower(sources);
-    }
-
-    private static Models lower(List<SourceFile> sources) {
-        return new Models(
-                Lowering.lower(
-                        Workspace.of(
-                                sources.stream()
-                                        .map(file -> Parser.parse(file).unit().orElseThrow())
-                                        .toList(),
-                                Set.of(),
-                                HouseLanguages.reader())));
+        return new Models(LoweredSources.of(sources));
     }
 
     Promise promise(String component) {

@@ -1,11 +1,11 @@
 package arcomat.benchmarks.compositions;
 
+import arcomat.benchmarks.measure.Command;
 import arcomat.benchmarks.measure.Goal;
 import arcomat.benchmarks.measure.Group;
 import arcomat.benchmarks.measure.Measurement;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -127,19 +127,10 @@ public final class CompositionsGroup implements Group {
     }
 
     private static List<String> command(ComposedSystem system, List<String> more) {
-        List<String> command =
-                new ArrayList<>(
-                        List.of(
-                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                                "-Xmx6g",
-                                "-XX:+UseSerialGC",
-                                "-cp",
-                                System.getProperty("java.class.path"),
-                                AskedComposition.class.getName(),
-                                system.name(),
-                                String.valueOf(system.size())));
-        command.addAll(more);
-        return command;
+        List<String> arguments =
+                new ArrayList<>(List.of(system.name(), String.valueOf(system.size())));
+        arguments.addAll(more);
+        return Command.java("6g", AskedComposition.class, arguments);
     }
 
     @Override

@@ -19,15 +19,7 @@ final class SpinVerifier {
     private SpinVerifier() {}
 
     static boolean isInstalled() {
-        return answers("spin", "-V") && answers("gcc", "--version");
-    }
-
-    private static boolean answers(String... command) {
-        try {
-            return Command.run(List.of(command)) == 0;
-        } catch (IOException | InterruptedException | IllegalStateException absent) {
-            return false;
-        }
+        return Command.answers("spin", "-V") && Command.answers("gcc", "--version");
     }
 
     /**

@@ -4,16 +4,11 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
-import arcomat.lower.Lowering;
+import arcomat.benchmarks.measure.LoweredSources;
 import arcomat.model.Model;
-import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parser;
-import arcomat.translate.HouseLanguages;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 
 /** A question asked in a process of its own, once or again and again: {@code again gaps 20}. */
 public final class AskedQuestion {
@@ -22,13 +17,13 @@ public final class AskedQuestion {
 
     private static final double MILLION = 1e6;
 
-    private AskedQuestion() {}
-
     /** Behind the answer: the median of the later times in milliseconds, and how many these are. */
     static final String AGAIN = "again";
 
     /** Nothing but the answer. */
     static final String ONCE = "once";
+
+    private AskedQuestion() {}
 
     /** Prints the answer. */
     public static void main(String[] arguments) {
@@ -57,23 +52,9 @@ public final class AskedQuestion {
 
     /** From the text on: a solver reads its own as well. */
     private static Verdict ask(DataQuestion question) {
-        Model model = model(question);
+        Model model = LoweredSources.of("asked", question.models());
         Promise left = Promise.of(model.component("Left").orElseThrow(), List.of());
         Promise right = Promise.of(model.component("Right").orElseThrow(), List.of());
         return Refinement.check(left, right, new Budget(() -> false, 100_000));
-    }
-
-    private static Model model(DataQuestion question) {
-        List<SourceFile> sources = new ArrayList<>();
-        for (String text : question.models()) {
-            sources.add(new SourceFile(sources.size() + ".arc", text));
-        }
-        return Lowering.lower(
-                Workspace.of(
-                        sources.stream()
-                                .map(file -> Parser.parse(file).unit().orElseThrow())
-                                .toList(),
-                        Set.of(),
-                        HouseLanguages.reader()));
     }
 }

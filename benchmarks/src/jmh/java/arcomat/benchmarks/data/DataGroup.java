@@ -38,17 +38,9 @@ public final class DataGroup implements Group {
             questions.add(DataQuestions.of(each));
         }
         for (String solver : List.of("z3", "cvc5")) {
-            if (answers(solver)) {
+            if (Command.answers(solver, "--version")) {
                 solvers.add(solver);
             }
-        }
-    }
-
-    private static boolean answers(String solver) {
-        try {
-            return Command.run(List.of(solver, "--version")) == 0;
-        } catch (IOException | InterruptedException | IllegalStateException absent) {
-            return false;
         }
     }
 
@@ -130,16 +122,10 @@ public final class DataGroup implements Group {
     }
 
     private static List<String> ours(DataQuestion question, String how) {
-        return List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx2g",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                AskedQuestion.class.getName(),
-                how,
-                question.name(),
-                String.valueOf(question.size()));
+        return Command.java(
+                "2g",
+                AskedQuestion.class,
+                List.of(how, question.name(), String.valueOf(question.size())));
     }
 
     @Override

@@ -1,13 +1,17 @@
 package arcomat.benchmarks.measure;
 
 import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
-/** Commands as processes of their own, whose output nobody reads. */
+/** Commands as processes of their own. */
 public final class Command {
     private Command() {}
 
     /**
+     * Runs one whose output nobody reads.
+     *
      * @return the exit status, which is 0
      * @throws IllegalStateException if the command fails
      */
@@ -22,5 +26,33 @@ public final class Command {
             throw new IllegalStateException(command + " ended with " + status);
         }
         return status;
+    }
+
+    /** Whether a program is installed: the command ends, and well. */
+    public static boolean answers(String... command) {
+        try {
+            return run(List.of(command)) == 0;
+        } catch (IOException | InterruptedException | IllegalStateException absent) {
+            return false;
+        }
+    }
+
+    /**
+     * A program of ours in a process of its own, with as many classes as this one has.
+     *
+     * @param memory the most that its heap may take, {@code 2g}
+     */
+    public static List<String> java(String memory, Class<?> program, List<String> arguments) {
+        List<String> command =
+                new ArrayList<>(
+                        List.of(
+                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                                "-Xmx" + memory,
+                                "-XX:+UseSerialGC",
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                program.getName()));
+        command.addAll(arguments);
+        return command;
     }
 }
