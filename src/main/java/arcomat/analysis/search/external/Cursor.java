@@ -8,6 +8,13 @@ interface Cursor {
     /** A word of the record. */
     long word(int which);
 
+    /** Copies the first words of the record, as many as there is room for. */
+    default void copy(long[] into) {
+        for (int word = 0; word < into.length; word++) {
+            into[word] = word(word);
+        }
+    }
+
     /**
      * Compares the records of two cursors by their first words, the last of which counts most, as
      * numbers without a sign.

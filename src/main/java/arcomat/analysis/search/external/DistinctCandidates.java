@@ -20,9 +20,7 @@ final class DistinctCandidates {
         if (!more) {
             return false;
         }
-        for (int word = 0; word < words; word++) {
-            key[word] = sorted.word(word);
-        }
+        sorted.copy(key);
         came = sorted.word(words);
         way = sorted.word(words + 1);
         for (more = sorted.next(); more && isSame(); more = sorted.next()) {

@@ -1,6 +1,7 @@
 package arcomat.analysis.search.external;
 
 import arcomat.analysis.search.external.ExternalMemory.Volume;
+import arcomat.analysis.search.packed.CheapestFailure;
 import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
@@ -59,8 +60,7 @@ public final class ExternalPairs implements PairStore {
     private @Nullable Cursor walk;
     private long[] current;
     private int currentCost;
-    private long failed = NONE;
-    private int failedCost;
+    private CheapestFailure failure = new CheapestFailure();
 
     /**
      * Whether what is here could not be gone on with: beginnings are missing, or a level has been
@@ -138,20 +138,14 @@ public final class ExternalPairs implements PairStore {
 
     @Override
     public void fail(int parent, int cost) {
-        if (!replaying && (failed == NONE || cost < failedCost)) {
-            failed = levelStart + parent;
-            failedCost = cost;
+        if (!replaying) {
+            failure.add(levelStart + parent, cost);
         }
     }
 
     @Override
-    public boolean hasFailed() {
-        return failed != NONE;
-    }
-
-    @Override
-    public int failedCost() {
-        return failedCost;
+    public CheapestFailure failure() {
+        return failure;
     }
 
     @Override
@@ -173,9 +167,7 @@ public final class ExternalPairs implements PairStore {
         }
         Cursor pair = walk;
         pair.next();
-        for (int word = 0; word < current.length; word++) {
-            current[word] = pair.word(word);
-        }
+        pair.copy(current);
         currentCost = (int) (pair.word(current.length) & LOW);
         handed = true;
         return true;
@@ -296,7 +288,7 @@ public final class ExternalPairs implements PairStore {
         }
         levelStart = levelEnd;
         levelEnd = pairs.size();
-        expanded = hasFailed() ? levelEnd : levelStart;
+        expanded = failure.isFound() ? levelEnd : levelStart;
         walk = null;
     }
 
@@ -305,7 +297,7 @@ public final class ExternalPairs implements PairStore {
         if (torn) {
             return;
         }
-        if (hasFailed() && expanded == levelEnd) {
+        if (failure.isFound() && expanded == levelEnd) {
             try {
                 nextLevel();
             } catch (GivenUp uncounted) {
@@ -323,9 +315,11 @@ public final class ExternalPairs implements PairStore {
         notes.addAll(met);
         notes.add(network.digest(met));
         notes.addAll(IntStream.range(0, layout.fields()).map(layout::width).toArray());
-        for (long each : new long[] {levelStart, levelEnd, expanded, aged, failed, failedCost}) {
+        for (long each : new long[] {levelStart, levelEnd, expanded, aged}) {
             notes.add(each);
         }
+        notes.add(failure.pair());
+        notes.add(failure.cost());
         pairs.note(notes, kept);
         visited.note(notes, kept);
         candidates.note(notes, kept);
@@ -364,8 +358,7 @@ public final class ExternalPairs implements PairStore {
         levelEnd = notes.next();
         expanded = notes.next();
         aged = notes.next();
-        failed = notes.next();
-        failedCost = (int) notes.next();
+        failure = new CheapestFailure(notes.next(), (int) notes.next());
         pairs = Records.noted(notes, memory, words + 1, 0);
         visited = new VisitedKeys(memory, words, capacity / 2, between);
         visited.noted(notes);
@@ -379,9 +372,7 @@ public final class ExternalPairs implements PairStore {
 
     private long[] key(Cursor pair) {
         long[] key = new long[layout.words()];
-        for (int word = 0; word < key.length; word++) {
-            key[word] = pair.word(word);
-        }
+        pair.copy(key);
         return key;
     }
 
@@ -389,7 +380,7 @@ public final class ExternalPairs implements PairStore {
     public List<long[]> path() {
         List<long[]> path = new ArrayList<>();
         long distance = 1;
-        for (long pair = failed; pair != NONE && distance > 0; pair -= distance) {
+        for (long pair = failure.pair(); pair != NONE && distance > 0; pair -= distance) {
             Cursor at = pairs.from(pair);
             at.next();
             path.add(key(at));

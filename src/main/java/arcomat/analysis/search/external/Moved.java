@@ -22,9 +22,7 @@ final class Moved {
         Records moved = new Records(memory, to.words() + behind, indexed);
         long[] old = new long[from.words()];
         for (Cursor each = records.from(0); each.next(); ) {
-            for (int word = 0; word < old.length; word++) {
-                old[word] = each.word(word);
-            }
+            each.copy(old);
             long[] record = new long[moved.width];
             from.move(old, to, record);
             for (int word = 0; word < behind; word++) {

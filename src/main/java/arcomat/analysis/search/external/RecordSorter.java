@@ -51,9 +51,7 @@ final class RecordSorter {
         Records run = new Records(memory, width, 0);
         long[] record = new long[width];
         for (Cursor sorted = fromMemory(); sorted.next(); ) {
-            for (int word = 0; word < width; word++) {
-                record[word] = sorted.word(word);
-            }
+            sorted.copy(record);
             run.append(record);
         }
         runs.add(run);

@@ -1,5 +1,7 @@
 package arcomat.analysis.search.external;
 
+import java.util.function.IntPredicate;
+
 /**
  * Whether keys are in a sorted run. They are asked for in the same order, so that each block is
  * read once, and none in which no key can be.
@@ -31,44 +33,37 @@ final class RunLookup {
         return position < count && compare(key, position) == 0;
     }
 
-    /** The last block that does not begin behind a key: ever longer steps, then halves of them. */
+    /** The last block that does not begin behind a key. */
     private int block(long[] key) {
-        int below = loaded;
+        return last(loaded, run.blocks(), block -> run.compareToFirst(key, block) >= 0);
+    }
+
+    /** Goes on to the first record that is not before a key. */
+    private void advance(long[] key) {
+        position = 1 + last(position - 1, count, record -> compare(key, record) > 0);
+    }
+
+    /**
+     * The last one of which something is so, as it is of all before it: found by ever longer steps,
+     * and then by halves of them.
+     */
+    private static int last(int known, int end, IntPredicate isSo) {
+        int below = known;
         int step = 1;
-        while (below + step < run.blocks() && run.compareToFirst(key, below + step) >= 0) {
+        while (below + step < end && isSo.test(below + step)) {
             below += step;
             step *= 2;
         }
-        int above = Math.min(below + step, run.blocks());
+        int above = Math.min(below + step, end);
         while (above - below > 1) {
             int middle = below + above >>> 1;
-            if (run.compareToFirst(key, middle) >= 0) {
+            if (isSo.test(middle)) {
                 below = middle;
             } else {
                 above = middle;
             }
         }
         return below;
-    }
-
-    /** Goes on to the first record that is not before a key. */
-    private void advance(long[] key) {
-        int below = position - 1;
-        int step = 1;
-        while (below + step < count && compare(key, below + step) > 0) {
-            below += step;
-            step *= 2;
-        }
-        int above = Math.min(below + step, count);
-        while (above - below > 1) {
-            int middle = below + above >>> 1;
-            if (compare(key, middle) > 0) {
-                below = middle;
-            } else {
-                above = middle;
-            }
-        }
-        position = above;
     }
 
     private int compare(long[] key, int record) {

@@ -101,9 +101,7 @@ final class VisitedKeys {
     private void copy(Cursor from, Records to) {
         long[] key = new long[words];
         while (from.next()) {
-            for (int word = 0; word < words; word++) {
-                key[word] = from.word(word);
-            }
+            from.copy(key);
             to.append(key);
             between.run();
         }

@@ -40,10 +40,7 @@ public interface PairStore {
     /** A step from a pair of the level that is expanded fails; the first of the cheapest counts. */
     void fail(int parent, int cost);
 
-    boolean hasFailed();
-
-    /** The messages on the way to the failure. */
-    int failedCost();
+    CheapestFailure failure();
 
     /** Goes on to the level that has been found; whether there is a pair in it. */
     boolean nextLevel();

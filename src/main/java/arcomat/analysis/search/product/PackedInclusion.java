@@ -195,15 +195,16 @@ final class PackedInclusion {
             while (pairs.next()) {
                 @Nullable String exhausted = exhausted();
                 if (exhausted != null) {
-                    boolean proved = !pairs.hasFailed() && symbolic.proveAlone(pairs.size());
+                    boolean proved =
+                            !pairs.failure().isFound() && symbolic.proveAlone(pairs.size());
                     return found(proved ? Optional.empty() : Optional.of(exhausted));
                 }
                 visit();
-                if (!pairs.hasFailed() && symbolic.prove(pairs.size())) {
+                if (!pairs.failure().isFound() && symbolic.prove(pairs.size())) {
                     return found(Optional.empty());
                 }
             }
-        } while (!pairs.hasFailed() && pairs.nextLevel());
+        } while (!pairs.failure().isFound() && pairs.nextLevel());
         return found(Optional.empty());
     }
 
@@ -231,7 +232,7 @@ final class PackedInclusion {
         pairs.close();
         return new Found(
                 pairs.path(),
-                pairs.failedCost(),
+                pairs.failure().cost(),
                 stopped,
                 answers.chaosReached(),
                 answers.promising());

@@ -1,5 +1,6 @@
 package arcomat.analysis.search.product;
 
+import arcomat.analysis.search.packed.CheapestFailure;
 import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
@@ -37,8 +38,7 @@ final class PackedPairs implements PairStore {
     private int nextStart;
     private int[] level = new int[0];
     private int position = -1;
-    private int failed = NONE;
-    private int failedCost;
+    private final CheapestFailure failure = new CheapestFailure();
 
     PackedPairs(PackedNetwork network, PackedLayout layout) {
         this.network = network;
@@ -105,20 +105,12 @@ final class PackedPairs implements PairStore {
 
     @Override
     public void fail(int parent, int cost) {
-        if (failed == NONE || cost < failedCost) {
-            failed = parent;
-            failedCost = cost;
-        }
+        failure.add(parent, cost);
     }
 
     @Override
-    public boolean hasFailed() {
-        return failed != NONE;
-    }
-
-    @Override
-    public int failedCost() {
-        return failedCost;
+    public CheapestFailure failure() {
+        return failure;
     }
 
     private void addWaiting() {
@@ -184,7 +176,7 @@ final class PackedPairs implements PairStore {
     @Override
     public List<long[]> path() {
         List<long[]> path = new ArrayList<>();
-        for (int node = failed; node != NONE; node = parents.get(node)) {
+        for (int node = (int) failure.pair(); node != NONE; node = parents.get(node)) {
             long[] key = new long[layout.words()];
             pairs.get(node, key);
             path.add(key);

@@ -71,7 +71,7 @@ public final class TraceInclusion {
             List<Port> observed,
             OutputCubes outputs,
             Budget budget) {
-        this(left, right, observed, outputs, budget, Optional::empty, PackedPairs::new);
+        this(left, right, observed, outputs, budget, Optional::empty, Optional.empty());
     }
 
     /**
@@ -88,18 +88,7 @@ public final class TraceInclusion {
             Budget budget,
             Supplier<Optional<SymbolicInclusion>> symbolic,
             Optional<PairStore.Maker> stores) {
-        this(left, right, observed, outputs, budget, symbolic, stores.orElse(PackedPairs::new));
-    }
-
-    private TraceInclusion(
-            TransitionSystem left,
-            TransitionSystem right,
-            List<Port> observed,
-            OutputCubes outputs,
-            Budget budget,
-            Supplier<Optional<SymbolicInclusion>> symbolic,
-            PairStore.Maker stores) {
-        this.stores = stores;
+        this.stores = stores.orElse(PackedPairs::new);
         this.symbolic = new SymbolicTurns(symbolic, budget);
         this.product = new Product(left, right, observed, outputs, budget);
         this.budget = budget;
