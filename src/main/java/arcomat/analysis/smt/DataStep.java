@@ -9,6 +9,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Formulas;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -16,12 +17,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.UnaryOperator;
 
 /**
  * A step that may be possible in a configuration, as far as messages have a say in it. All
  * expressions read ports only.
  *
- * @param asks conditions that decide whether it is possible, and whether it goes wrong
+ * @param asks conditions that decide whether it is possible, and whether it goes wrong; of a
+ *     transition: its guard goes wrong, it may be taken, it does not go wrong then, it happens
  * @param happens that it is possible and goes well
  * @param sends what, by the name of the output port; ports on which nothing is sent that depends on
  *     the step are left out
@@ -166,6 +169,19 @@ public record DataStep(
                             .toList());
         }
         return new DataStep(List.of(), Hazard.not(Hazard.NEVER), sends, List.of());
+    }
+
+    /**
+     * That the guard of a transition lets it be taken, or goes wrong: then nothing is completed.
+     */
+    public Expression tried() {
+        return Formulas.or(asks.get(0), asks.get(1));
+    }
+
+    /** A transition with other conditions. */
+    public DataStep asked(UnaryOperator<Expression> rest) {
+        List<Expression> others = asks.stream().map(rest).toList();
+        return new DataStep(others, others.get(3), sends, stores);
     }
 
     /** The same, but what is sent on some ports is remembered until it is compared. */

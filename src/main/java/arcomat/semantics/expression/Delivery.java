@@ -2,10 +2,8 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.model.Value;
 
 import java.util.Map;
 import java.util.Objects;
@@ -19,7 +17,6 @@ import java.util.Optional;
  */
 public record Delivery(Map<String, Message> messages) implements Expression.SomeCases<Expression> {
     private static final String NOWHERE = "nowhere ";
-    private static final Type TRUTH = new Type.BooleanType();
 
     /**
      * What is on a wire.
@@ -87,28 +84,15 @@ public record Delivery(Map<String, Message> messages) implements Expression.Some
                         oneOf ->
                                 message.equals(Message.SILENCE)
                                         ? Formulas.FALSE
-                                        : Formulas.and(
-                                                message.present(), among(message, oneOf, matches)),
+                                        : Formulas.and(message.present(), among(oneOf, matches)),
                         () -> Formulas.not(message.present()),
                         message::present);
     }
 
-    /** The values are compared from the left, and only as far as needed. */
-    private static Expression among(
-            Message message, Automaton.OneOf oneOf, Expression.PortMatches matches) {
-        Expression read = as(matches.port().type(), message.value());
-        Expression any = Formulas.FALSE;
-        for (int i = oneOf.values().size() - 1; i >= 0; i--) {
-            Expression equal =
-                    new Expression.Binary(
-                            BinaryOperator.EQUAL,
-                            read,
-                            oneOf.values().get(i),
-                            TRUTH,
-                            matches.span());
-            any = Formulas.or(PartialEvaluation.folded(equal), any);
-        }
-        return any;
+    private Expression among(Automaton.OneOf oneOf, Expression.PortMatches matches) {
+        Port port = matches.port();
+        Expression read = as(port.type(), message(port).value());
+        return PartialEvaluation.among(read, oneOf, matches);
     }
 
     private Message message(Port port) {
@@ -121,18 +105,8 @@ public record Delivery(Map<String, Message> messages) implements Expression.Some
     }
 
     @Override
-    public Expression unary(Expression.Unary unary) {
-        return Formulas.isNegation(unary) ? Formulas.not(unary.operand()) : otherwise(unary);
-    }
-
-    @Override
     public Expression conditional(Expression.Conditional choice) {
-        Optional<Value> decided = PartialEvaluation.value(choice.condition());
-        return decided.isEmpty()
-                ? choice
-                : decided.get().equals(new Value.BooleanValue(true))
-                        ? choice.then()
-                        : choice.otherwise();
+        return PartialEvaluation.decided(choice);
     }
 
     @Override

@@ -62,6 +62,11 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
 
     @Override
     public Expression conditional(Expression.Conditional choice) {
+        return decided(choice);
+    }
+
+    /** One of its branches, where its condition has a value. */
+    static Expression decided(Expression.Conditional choice) {
         return value(choice.condition())
                 .map(decided -> isTrue(decided) ? choice.then() : choice.otherwise())
                 .orElse(choice);
@@ -105,19 +110,21 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
                             if (!present) {
                                 return Formulas.FALSE;
                             }
-                            return message == null ? matches : among(message, oneOf, matches);
+                            return message == null
+                                    ? matches
+                                    : among(constant(message, port), oneOf, matches);
                         },
                         () -> truth(!present),
                         () -> truth(present));
     }
 
     /** The values are compared from the left, and only as far as needed. */
-    private Expression among(Value message, Automaton.OneOf oneOf, Expression.PortMatches matches) {
+    static Expression among(
+            Expression read, Automaton.OneOf oneOf, Expression.PortMatches matches) {
         Expression any = Formulas.FALSE;
-        Expression read = constant(message, matches.port());
         for (int i = oneOf.values().size() - 1; i >= 0; i--) {
             Expression equal =
-                    otherwise(
+                    folded(
                             new Expression.Binary(
                                     BinaryOperator.EQUAL,
                                     read,

@@ -6,9 +6,6 @@ import arcomat.analysis.Replay;
 import arcomat.analysis.automaton.InstalledZ3;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
-import arcomat.model.Model;
-import arcomat.models.ReadModels;
-import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -53,13 +50,8 @@ class UnboundedDataTest {
     private void ask(int seed, Function<RandomQuestion, List<String>> models) {
         RandomQuestion question = new RandomQuestion(seed);
         List<String> texts = models.apply(question);
-        Model model =
-                ReadModels.model(
-                        new SourceFile("Left.arc", texts.get(0)),
-                        new SourceFile("Right.arc", texts.get(1)));
-        Promise left = Promise.of(model.component("Left").orElseThrow(), List.of());
-        Promise right = Promise.of(model.component("Right").orElseThrow(), List.of());
-        Verdict verdict = Refinement.check(left, right, new Budget(() -> false, 10_000));
+        Sides sides = Sides.of(texts);
+        Verdict verdict = sides.check(new Budget(() -> false, 10_000));
         String about = "seed " + seed + ": " + String.join("\n", texts);
         if (verdict.answer() == Answer.UNKNOWN) {
             open.add(seed + ": " + verdict.reason());
@@ -69,7 +61,7 @@ class UnboundedDataTest {
         holds += yes ? 1 : 0;
         fails += yes ? 0 : 1;
         if (!yes) {
-            Replay.check(left, right, verdict);
+            Replay.check(sides.left(), sides.right(), verdict);
         }
         Boolean truth = question.holds(InstalledZ3::answers);
         if (truth != null) {

@@ -5,9 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.analysis.Replay;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
-import arcomat.model.Model;
-import arcomat.models.ReadModels;
-import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.Test;
 
@@ -55,17 +52,11 @@ class UnboundedPartsTest {
     }
 
     private static Verdict verdict(List<String> texts) {
-        Model model =
-                ReadModels.model(
-                        new SourceFile("Left.arc", texts.get(0)),
-                        new SourceFile("Right.arc", texts.get(1)));
-        Promise left = Promise.of(model.component("Left").orElseThrow(), List.of());
-        Promise right = Promise.of(model.component("Right").orElseThrow(), List.of());
+        Sides sides = Sides.of(texts);
         long end = System.nanoTime() + MOST_TIME;
-        Verdict verdict =
-                Refinement.check(left, right, new Budget(() -> System.nanoTime() > end, 10_000));
+        Verdict verdict = sides.check(new Budget(() -> System.nanoTime() > end, 10_000));
         if (verdict.answer() == Answer.FAILS && !verdict.trace().isEmpty()) {
-            Replay.check(left, right, verdict);
+            Replay.check(sides.left(), sides.right(), verdict);
         }
         return verdict;
     }

@@ -58,6 +58,8 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
     /** Where they are asked for. */
     private @Nullable ComposedSteps expressions;
 
+    private final Map<Integer, Optional<List<DataStep>>> dataSteps = new HashMap<>();
+
     /** Data that the composition itself only passes on and compares, whatever others do. */
     private @Nullable DataIndependence own;
 
@@ -257,7 +259,8 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
         if (expressions == null) {
             expressions = new ComposedSteps(network, unfolding.behaviours(), inputs(), compared);
         }
-        return expressions.outOf(get(configuration));
+        ComposedSteps composed = expressions;
+        return dataSteps.computeIfAbsent(configuration, each -> composed.outOf(get(each)));
     }
 
     private Steps steps(List<Unfolding.Step> all) {

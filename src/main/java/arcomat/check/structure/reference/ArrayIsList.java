@@ -9,8 +9,6 @@ import arcomat.tree.TypeReference;
 
 /** ARC0149: a message that holds several values is a list, and is called one. */
 public final class ArrayIsList implements Check.OnType {
-    private static final String LIST = "java.util.List";
-
     @Override
     public void check(TypeReference type, Context context, Findings findings) {
         if (type.dimensions() == 0) {
@@ -37,8 +35,9 @@ public final class ArrayIsList implements Check.OnType {
         if (dimensions == 0) {
             return element(found, type);
         }
-        TypeSymbol held = ((JavaType) found).arguments().get(0).type();
-        return LIST + "<" + list(dimensions - 1, held, type) + ">";
+        JavaType java = (JavaType) found;
+        TypeSymbol held = java.arguments().get(0).type();
+        return java.qualifiedName() + "<" + list(dimensions - 1, held, type) + ">";
     }
 
     /** As it is written, or the box of a primitive. */
