@@ -48,8 +48,7 @@ final class People {
         List<DrinkerState> next = new ArrayList<>();
         for (int i = 0; i < drinkers.size(); i++) {
             Drinker drinker = world.drinkers().get(i);
-            boolean free = isFree(drinker, robots, things);
-            next.add(step(drinker, drinkers.get(i), free, robots, seconds, happenings));
+            next.add(step(drinker, drinkers.get(i), robots, things, seconds, happenings));
         }
         return next;
     }
@@ -57,8 +56,8 @@ final class People {
     private DrinkerState step(
             Drinker drinker,
             DrinkerState state,
-            boolean free,
             List<RobotState> robots,
+            List<ThingState> things,
             double seconds,
             List<Happening> happenings) {
         double pause = Math.max(0, state.pause() - seconds);
@@ -68,7 +67,7 @@ final class People {
                     coming >= 0
                             && pause == 0
                             && distance(drinker, robots.get(coming)) > CARE
-                            && free;
+                            && isFree(drinker, robots, things);
             return new DrinkerState(steps, pause, 0, state.cups());
         }
         if (coming < 0) {
