@@ -3,6 +3,7 @@ package arcomat.analysis.bits;
 import arcomat.analysis.symbolic.CheckedSolver;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.value.GivenUp;
 
@@ -36,6 +37,15 @@ public final class BitLetters {
         this.stop = stop;
         for (Port port : ports) {
             claim(expressions.isOf(expressions.message(port), port.type()));
+        }
+    }
+
+    /** Whether values of a type have bits. */
+    public static boolean areFor(Type type) {
+        try {
+            return BitCodes.of(type).width() > 0;
+        } catch (GivenUp none) {
+            return false;
         }
     }
 

@@ -1,15 +1,18 @@
 package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.Certificate.Form;
 import arcomat.analysis.search.product.CertificateCheck;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * A verdict with its reasons: where a refinement holds, a certificate for each automaton of the
@@ -30,10 +33,26 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         List<Verdict> verdicts = new ArrayList<>();
         Budget unpacked = budget.with(rule -> rule != Shortcut.PACKED && budget.takes(rule));
         for (Promise each : right.each()) {
-            verdicts.add(Refinement.compare(left, each, unpacked, proof -> found.add(proof.get())));
+            verdicts.add(
+                    Refinement.compare(
+                            left,
+                            each,
+                            unpacked,
+                            proof -> found.add(told(left, each, proof, budget))));
         }
         Verdict verdict = Refinement.all(verdicts);
         return new Certification(verdict, verdict.answer() == Answer.HOLDS ? found : List.of());
+    }
+
+    /**
+     * Where a solver had to tell messages apart, conditions are preferred: to check them, another
+     * one is asked.
+     */
+    private static Certificate told(
+            Promise left, Promise right, Supplier<Certificate> proof, Budget budget) {
+        return CoupledRefinement.readsMuch(left, right)
+                ? CoupledRefinement.proof(left, right, budget).orElseGet(proof)
+                : proof.get();
     }
 
     /**
@@ -43,9 +62,10 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     public static Optional<String> problem(
             Promise left, Promise right, List<Certificate> certificates, Budget budget) {
-        Optional<Verdict> interfaces = Interfaces.compare(left, right);
-        if (interfaces.isPresent()) {
-            return Optional.of(interfaces.get().explanation().get(0).text());
+        Optional<Verdict> known = Refinement.comparable(left, right);
+        if (known.isPresent()) {
+            List<Sentence> why = known.get().explanation();
+            return Optional.of(why.isEmpty() ? known.get().reason() : why.get(0).text());
         }
         List<Promise> promises = right.each();
         if (certificates.size() != promises.size()) {
@@ -55,20 +75,27 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         }
         for (int i = 0; i < promises.size(); i++) {
             Promise each = promises.get(i);
-            ComparedSystems systems = ComparedSystems.of(left, each, budget);
-            CertificateCheck check =
-                    new CertificateCheck(
-                            systems.left(),
-                            systems.right(),
-                            systems.observed(),
-                            systems.outputs(),
-                            certificates.get(i),
-                            budget);
-            Optional<String> problem = check.problem();
+            Optional<String> problem = problem(left, each, certificates.get(i), budget);
             if (problem.isPresent()) {
                 return problem;
             }
         }
         return Optional.empty();
+    }
+
+    private static Optional<String> problem(
+            Promise left, Promise right, Certificate certificate, Budget budget) {
+        if (certificate.form() == Form.CONDITIONS) {
+            return CoupledRefinement.problem(left, right, certificate, budget);
+        }
+        ComparedSystems systems = ComparedSystems.of(left, right, budget);
+        return new CertificateCheck(
+                        systems.left(),
+                        systems.right(),
+                        systems.observed(),
+                        systems.outputs(),
+                        certificate,
+                        budget)
+                .problem();
     }
 }

@@ -5,6 +5,7 @@ import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Counterexample;
@@ -185,6 +186,37 @@ public final class Refinement {
     }
 
     private static Verdict compare(
+            Promise left,
+            Promise right,
+            Budget budget,
+            Optional<PairStore.Maker> stores,
+            Consumer<Supplier<Certificate>> proof) {
+        boolean conditions =
+                stores.isEmpty()
+                        && CoupledRefinement.isWorthwhile(left, right)
+                        && budget.takes(Shortcut.CONDITIONS);
+        return conditions
+                ? withConditions(left, right, budget, proof)
+                : byPairs(left, right, budget, stores, proof);
+    }
+
+    /** What a short search does not decide, conditions may show; else a long one follows. */
+    private static Verdict withConditions(
+            Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
+        Budget few = budget.atMost(CoupledRefinement.FEW_PAIRS);
+        Verdict verdict = byPairs(left, right, few, Optional.empty(), proof);
+        if (verdict.answer() != Answer.UNKNOWN) {
+            return verdict;
+        }
+        Optional<Certificate> shown = CoupledRefinement.proof(left, right, budget);
+        if (shown.isPresent()) {
+            proof.accept(shown::get);
+            return CoupledRefinement.verdict();
+        }
+        return byPairs(left, right, budget, Optional.empty(), proof);
+    }
+
+    private static Verdict byPairs(
             Promise left,
             Promise right,
             Budget budget,

@@ -42,6 +42,9 @@ public enum Shortcut {
     /** What an inductive invariant proves is not explored to the end. */
     SYMBOLIC,
 
+    /** What conditions over variables show is not explored to the end. */
+    CONDITIONS,
+
     /** Compositions refine each other if their parts do. */
     PART_BY_PART,
 

@@ -2,19 +2,24 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Certificate.Entry;
+import arcomat.analysis.search.product.Certificate.Form;
 import arcomat.report.text.OneLine;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Certificates as a file. Below a line {@code certificate} of its own stands for each pair the
- * configuration of the left side, and below it, indented, each configuration of the right side.
+ * configuration of the left side, and below it, indented, each configuration of the right side;
+ * below a line {@code invariant} both states, and below them, indented, each condition.
  */
 public final class CertificateText {
     private static final String FIRST = "arcomat certificates 1";
-    private static final String BEGINNING = "certificate";
+    private static final Map<Form, String> BEGINNINGS =
+            Map.of(Form.PAIRS, "certificate", Form.CONDITIONS, "invariant");
     private static final String INDENT = "    ";
 
     private CertificateText() {}
@@ -31,7 +36,7 @@ public final class CertificateText {
                 .append(OneLine.of(right))
                 .append('\n');
         for (Certificate certificate : certificates) {
-            out.append(BEGINNING).append('\n');
+            out.append(BEGINNINGS.get(certificate.form())).append('\n');
             for (Entry entry : certificate.entries()) {
                 out.append("  ").append(OneLine.of(entry.left())).append('\n');
                 entry.right().forEach(r -> out.append(INDENT).append(OneLine.of(r)).append('\n'));
@@ -46,22 +51,34 @@ public final class CertificateText {
         if (!lines.get(0).equals(FIRST)) {
             return Optional.empty();
         }
-        List<List<Entry>> certificates = new ArrayList<>();
+        List<Certificate> certificates = new ArrayList<>();
         for (String line : lines.subList(1, lines.size())) {
-            if (line.equals(BEGINNING)) {
-                certificates.add(new ArrayList<>());
+            Optional<Form> beginning = beginning(line);
+            if (beginning.isPresent()) {
+                certificates.add(new Certificate(beginning.get(), List.of()));
             } else if (!line.startsWith("#") && !add(line, certificates)) {
                 return Optional.empty();
             }
         }
-        return Optional.of(certificates.stream().map(Certificate::new).toList());
+        return Optional.of(certificates);
     }
 
-    private static boolean add(String line, List<List<Entry>> certificates) {
+    private static Optional<Form> beginning(String line) {
+        return Stream.of(Form.values()).filter(form -> line.equals(BEGINNINGS.get(form))).findAny();
+    }
+
+    private static boolean add(String line, List<Certificate> certificates) {
         if (certificates.isEmpty() || !line.startsWith("  ")) {
             return false;
         }
-        List<Entry> entries = certificates.get(certificates.size() - 1);
+        Certificate last = certificates.remove(certificates.size() - 1);
+        List<Entry> entries = new ArrayList<>(last.entries());
+        boolean fits = addTo(entries, line);
+        certificates.add(new Certificate(last.form(), entries));
+        return fits;
+    }
+
+    private static boolean addTo(List<Entry> entries, String line) {
         if (!line.startsWith(INDENT)) {
             entries.add(new Entry(OneLine.read(line.substring(2)), List.of()));
             return true;

@@ -69,7 +69,7 @@ class ShortcutsTest {
     @ParameterizedTest
     @EnumSource(
             mode = Mode.EXCLUDE,
-            names = {"PART_BY_PART", "LONG_PIPELINE", "IMPATIENCE", "SYMBOLIC"})
+            names = {"PART_BY_PART", "LONG_PIPELINE", "IMPATIENCE", "SYMBOLIC", "CONDITIONS"})
     void changesNoAnswer(Shortcut shortcut) throws IOException {
         int compared = 0;
         for (Question question : questions()) {

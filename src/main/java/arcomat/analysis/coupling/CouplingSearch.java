@@ -1,0 +1,187 @@
+package arcomat.analysis.coupling;
+
+import arcomat.analysis.bits.BitLetters;
+import arcomat.analysis.search.product.Certificate.Entry;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.StepRelation.Start;
+import arcomat.semantics.expression.Evaluation;
+import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.expression.Scope;
+import arcomat.semantics.value.GivenUp;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * Looks for conditions that steps of both sides keep, as long as they send the same: of many
+ * comparisons, those that no example contradicts (Flanagan, Leino, "Houdini, an annotation
+ * assistant for ESC/Java", FME 2001), where examples come from a solver. What comes out is a
+ * proposal; whether it proves anything is for {@link CouplingCheck} to say.
+ */
+public final class CouplingSearch {
+    private static final Value[] NO_VARIABLES = {};
+
+    /** So many questions are put to solvers; a fraction of a second, where numbers are compared. */
+    private static final int MOST_QUESTIONS = 4_000;
+
+    private final Coupling coupling;
+    private final BooleanSupplier stop;
+    private final List<Port> variables;
+    private final Map<StatePair, List<Comparison>> found = new LinkedHashMap<>();
+    private final Set<StatePair> open = new LinkedHashSet<>();
+    private int questions;
+
+    private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
+        this.coupling = coupling;
+        this.stop = stop;
+        this.variables =
+                coupling.memory.stream().filter(each -> BitLetters.areFor(each.type())).toList();
+    }
+
+    /**
+     * Pairs of states, each with conditions.
+     *
+     * @param stop asked now and then, whether to give up
+     * @throws GivenUp where it takes too long
+     */
+    public static List<Entry> proposal(Coupling coupling, BooleanSupplier stop) {
+        CouplingSearch search = new CouplingSearch(coupling, stop);
+        search.begin();
+        while (!search.open.isEmpty()) {
+            StatePair pair = search.open.iterator().next();
+            search.open.remove(pair);
+            search.goOn(pair);
+        }
+        return search.entries();
+    }
+
+    private void begin() {
+        for (Start mine : coupling.left.starts()) {
+            for (Start theirs : coupling.right.starts()) {
+                if (coupling.isAllowed(mine, theirs)) {
+                    Value[] row = coupling.row(mine, theirs);
+                    List<Value> coded =
+                            variables.stream().map(v -> row[coupling.memory.indexOf(v)]).toList();
+                    met(Coupling.pair(mine, theirs), coded);
+                }
+            }
+        }
+    }
+
+    /** An example of variables in a pair; what it contradicts is wrong. */
+    private void met(StatePair pair, List<Value> row) {
+        List<Comparison> before = found.get(pair);
+        List<Comparison> left =
+                (before == null ? candidates(pair).shownBy(row) : before)
+                        .stream().filter(each -> isShown(each, row)).toList();
+        found.put(pair, left);
+        if (before == null || left.size() < before.size()) {
+            open.add(pair);
+        }
+    }
+
+    private Candidates candidates(StatePair pair) {
+        List<Expression> read = new ArrayList<>(coupling.left.expressions(pair.left()));
+        read.addAll(coupling.right.expressions(pair.right()));
+        return new Candidates(variables, Candidates.numbers(read));
+    }
+
+    private boolean isShown(Comparison comparison, List<Value> row) {
+        return Evaluation.compile(comparison.expression(), Scope.ofPorts(variables))
+                .isTrue(row.toArray(Value[]::new), NO_VARIABLES);
+    }
+
+    private void goOn(StatePair pair) {
+        for (Set<String> messages : coupling.messages(pair)) {
+            Slice slice = Slice.of(coupling, pair, messages, Set.copyOf(variables));
+            for (Behaviour mine : slice.mine()) {
+                for (Behaviour theirs : slice.theirs()) {
+                    if (mine.target() != Behaviour.CHAOS && theirs.target() != Behaviour.CHAOS) {
+                        follow(slice, mine, theirs);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Until no example of the step contradicts what is thought of the pair after it. */
+    private void follow(Slice slice, Behaviour mine, Behaviour theirs) {
+        StatePair after = Slice.after(mine, theirs);
+        Optional<Value[]> example = another(slice, mine, theirs);
+        while (example.isPresent()) {
+            Value[] row = example.get();
+            met(after, variables.stream().map(v -> after(v, slice, mine, theirs, row)).toList());
+            example = another(slice, mine, theirs);
+        }
+    }
+
+    private Optional<Value[]> another(Slice slice, Behaviour mine, Behaviour theirs) {
+        SliceSolver solver = solver(slice, Objects.requireNonNull(found.get(slice.pair())));
+        solver.claim(mine.when());
+        solver.claim(solver.answers(mine, theirs));
+        List<Comparison> known = found.get(Slice.after(mine, theirs));
+        if (known != null) {
+            solver.claimNot(solver.leadsTo(known, mine, theirs));
+        }
+        return solver.find();
+    }
+
+    private SliceSolver solver(Slice slice, List<Comparison> before) {
+        if (++questions > MOST_QUESTIONS) {
+            throw new GivenUp("too many questions about variables");
+        }
+        return new SliceSolver(slice, before, coupling.observed, stop);
+    }
+
+    private static Value after(
+            Port variable, Slice slice, Behaviour mine, Behaviour theirs, Value[] row) {
+        Expression value =
+                Slice.value(new Expression.PortRead(variable, variable.span()), mine, theirs);
+        return Objects.requireNonNull(
+                Evaluation.compile(value, Scope.ofPorts(slice.ports()))
+                        .evaluate(row, NO_VARIABLES));
+    }
+
+    private List<Entry> entries() {
+        return found.keySet().stream()
+                .map(
+                        pair ->
+                                new Entry(
+                                        coupling.name(pair),
+                                        needed(pair).stream().map(Comparison::toString).toList()))
+                .toList();
+    }
+
+    /** Without those that follow from the others. */
+    private List<Comparison> needed(StatePair pair) {
+        List<Comparison> all = Objects.requireNonNull(found.get(pair));
+        List<Comparison> needed = new ArrayList<>(all);
+        for (Comparison each :
+                IntStream.range(0, all.size())
+                        .mapToObj(i -> all.get(all.size() - 1 - i))
+                        .toList()) {
+            List<Comparison> others = needed.stream().filter(one -> one != each).toList();
+            if (follows(each, others, pair)) {
+                needed.remove(each);
+            }
+        }
+        return needed;
+    }
+
+    private boolean follows(Comparison one, List<Comparison> others, StatePair pair) {
+        Slice variablesOnly = new Slice(pair, List.of(), List.of(), Formulas.FALSE, variables);
+        SliceSolver solver = solver(variablesOnly, others);
+        solver.claim(Formulas.not(one.expression()));
+        return solver.find().isEmpty();
+    }
+}

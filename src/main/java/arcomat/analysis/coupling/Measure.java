@@ -1,0 +1,66 @@
+package arcomat.analysis.coupling;
+
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.util.Optional;
+
+/**
+ * What a variable is compared with: a value, or another variable, perhaps the opposite of it, and a
+ * number more. Sums are those of 64 bits.
+ *
+ * @param variable empty for a value
+ * @param plus 0 where nothing is added
+ * @param value of no matter where there is a variable
+ */
+record Measure(Optional<Port> variable, boolean opposite, long plus, Value value) {
+    private static final Type WIDE = Type.IntegerType.of(Type.Width.LONG);
+    private static final Value NOTHING = new Value.IntegerValue(0);
+
+    static Measure of(Value value) {
+        return new Measure(Optional.empty(), false, 0, value);
+    }
+
+    static Measure of(Port variable, boolean opposite, long plus) {
+        return new Measure(Optional.of(variable), opposite, plus, NOTHING);
+    }
+
+    boolean isCalculated() {
+        return opposite || plus != 0;
+    }
+
+    /**
+     * @param type of a value
+     */
+    @SuppressWarnings("NullAway") // it stands in no model
+    Expression expression(Type type) {
+        if (variable.isEmpty()) {
+            return new Expression.Constant(value, type, null);
+        }
+        Expression read = new Expression.PortRead(variable.get(), null);
+        if (!isCalculated()) {
+            return read;
+        }
+        Expression wide = new Expression.Cast(read, WIDE, null);
+        Expression signed =
+                opposite
+                        ? new Expression.Unary(Expression.UnaryOperator.NEGATE, wide, WIDE, null)
+                        : wide;
+        Expression number = new Expression.Constant(new Value.IntegerValue(plus), WIDE, null);
+        return plus == 0
+                ? signed
+                : new Expression.Binary(BinaryOperator.PLUS, signed, number, WIDE, null);
+    }
+
+    @Override
+    public String toString() {
+        if (variable.isEmpty()) {
+            return value.toString();
+        }
+        String sum = plus == 0 ? "" : plus < 0 ? " - " + Math.abs(plus) : " + " + plus;
+        return (opposite ? "-" : "") + variable.get().name() + sum;
+    }
+}

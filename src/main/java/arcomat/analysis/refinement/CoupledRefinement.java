@@ -1,0 +1,106 @@
+package arcomat.analysis.refinement;
+
+import arcomat.analysis.coupling.Coupling;
+import arcomat.analysis.coupling.CouplingCheck;
+import arcomat.analysis.coupling.CouplingSearch;
+import arcomat.analysis.refinement.Verdict.Explored;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.Certificate.Entry;
+import arcomat.analysis.search.product.Certificate.Form;
+import arcomat.model.Type;
+import arcomat.model.Variable;
+import arcomat.semantics.value.GivenUp;
+import arcomat.semantics.value.SmallType;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+
+/**
+ * Refinement of one automaton by another, shown by conditions over their variables. It is only ever
+ * shown: where no conditions are found, nothing is known.
+ */
+final class CoupledRefinement {
+    /** So many pairs are looked at before: a counterexample that is near is found by the search. */
+    static final int FEW_PAIRS = 200;
+
+    private static final String PROVED =
+            "proved by conditions over variables, verified; not all values were tried";
+
+    private CoupledRefinement() {}
+
+    /** Whether variables have so many values that a search of all may not end. */
+    static boolean isWorthwhile(Promise left, Promise right) {
+        return areFlat(left, right)
+                && Stream.of(left, right)
+                        .flatMap(each -> each.automata().stream())
+                        .flatMap(each -> each.variables().stream())
+                        .anyMatch(CoupledRefinement::isWide);
+    }
+
+    /** Whether messages have so many values that a search has to ask somebody what they are. */
+    static boolean readsMuch(Promise left, Promise right) {
+        return areFlat(left, right)
+                && left.component().inputs().stream().anyMatch(port -> isLarge(port.type()));
+    }
+
+    private static boolean isWide(Variable variable) {
+        return isLarge(variable.type());
+    }
+
+    private static boolean isLarge(Type type) {
+        return SmallType.values(type).isEmpty();
+    }
+
+    private static boolean areFlat(Promise left, Promise right) {
+        return Stream.of(left, right)
+                .allMatch(each -> each.automata().size() == 1 && !each.devices());
+    }
+
+    /** A proof that has been checked; empty where there is none to be had. */
+    static Optional<Certificate> proof(Promise left, Promise right, Budget budget) {
+        if (!areFlat(left, right)) {
+            return Optional.empty();
+        }
+        return orNothing(
+                () -> {
+                    Coupling coupling = coupling(left, right);
+                    List<Entry> entries = CouplingSearch.proposal(coupling, budget::isSpent);
+                    return CouplingCheck.problem(coupling, entries, budget::isSpent).isEmpty()
+                            ? Optional.of(new Certificate(Form.CONDITIONS, entries))
+                            : Optional.empty();
+                });
+    }
+
+    private static Optional<Certificate> orNothing(Supplier<Optional<Certificate>> search) {
+        return Budget.within(search, reason -> Optional.empty());
+    }
+
+    /**
+     * What is wrong with such a proof; empty where it is one.
+     *
+     * @throws GivenUp where that could not be decided
+     */
+    static Optional<String> problem(
+            Promise left, Promise right, Certificate certificate, Budget budget) {
+        if (!areFlat(left, right)) {
+            return Optional.of("conditions over variables are about two automata, no compositions");
+        }
+        return CouplingCheck.problem(coupling(left, right), certificate.entries(), budget::isSpent);
+    }
+
+    private static Coupling coupling(Promise left, Promise right) {
+        return Coupling.of(subject(left), subject(right));
+    }
+
+    private static Coupling.Subject subject(Promise promise) {
+        return new Coupling.Subject(
+                promise.component(), promise.automata().get(0), promise.arguments());
+    }
+
+    static Verdict verdict() {
+        return Verdict.holds(Optional.of(true), List.of(PROVED), Explored.NOTHING);
+    }
+}

@@ -1,0 +1,197 @@
+package arcomat.analysis.refinement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.RandomPairs;
+import arcomat.analysis.RandomPairs.Pair;
+import arcomat.analysis.Sections;
+import arcomat.analysis.Sections.Section;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.Certificate.Entry;
+import arcomat.analysis.search.product.Certificate.Form;
+import arcomat.model.Model;
+import arcomat.report.verdict.CertificateText;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Conditions over variables as certificates: what is a proof is accepted, what is none is refused,
+ * and it is said why. In {@code coupling/checks.txt}, below {@code == check A B} a line says {@code
+ * proof} or a part of what is wrong, and the lines below it are those of a certificate.
+ */
+class CouplingCheckTest {
+    private static final Path CHECKS = Path.of("src/test/resources/analysis/coupling/checks.txt");
+    private static final String PROVED = "proved by conditions";
+
+    @TestFactory
+    Stream<DynamicTest> checks() {
+        Sections sections = Sections.read(CHECKS);
+        Model model = sections.model();
+        return sections.of("check").stream()
+                .map(
+                        each ->
+                                DynamicTest.dynamicTest(
+                                        each.rest() + ": " + each.lines().get(0),
+                                        () -> check(model, each)));
+    }
+
+    private static void check(Model model, Section section) {
+        String expected = section.lines().get(0);
+        List<String> proof = section.lines().subList(1, section.lines().size());
+        String text = "arcomat certificates 1\ninvariant\n" + String.join("\n", proof);
+        String said = problem(model, section, CertificateText.parse(text).orElseThrow());
+        assertThat(said).contains(expected);
+    }
+
+    private static String problem(Model model, Section section, List<Certificate> proof) {
+        return problem(left(model, section), right(model, section), proof).orElse("proof");
+    }
+
+    /** Also what the check gives up with. */
+    private static Optional<String> problem(Promise left, Promise right, List<Certificate> proof) {
+        return Budget.within(
+                () -> Certification.problem(left, right, proof, Budget.ofMemory()), Optional::of);
+    }
+
+    private static Promise left(Model model, Section section) {
+        return VerdictsTest.promise(model, section.rest().split(" ")[0], '-');
+    }
+
+    private static Promise right(Model model, Section section) {
+        return VerdictsTest.promise(model, section.rest().split(" ")[1], '-');
+    }
+
+    /** Each proof of the data is accepted, and is none where something of it is changed. */
+    @Test
+    void whatIsFoundIsAProofAndNeedsItsParts() {
+        Sections sections = Sections.read(VerdictsTest.FOLDER.resolve("conditions.txt"));
+        Model model = sections.model();
+        int proofs = 0;
+        int refused = 0;
+        int changed = 0;
+        for (Section ask : sections.of("ask")) {
+            if (ask.lines().get(0).contains(PROVED)) {
+                Promise left = left(model, ask);
+                Promise right = right(model, ask);
+                Certificate proof = certificate(left, right);
+                assertThat(problem(left, right, List.of(proof))).isEmpty();
+                for (Certificate other : changed(proof)) {
+                    changed++;
+                    refused += problem(left, right, List.of(other)).isPresent() ? 1 : 0;
+                }
+                proofs++;
+            }
+        }
+        assertThat(proofs).isGreaterThan(3);
+        assertThat(refused).isGreaterThan(changed * 2 / 3);
+    }
+
+    private static Certificate certificate(Promise left, Promise right) {
+        Certification proof = Certification.of(left, right, Budget.ofMemory());
+        assertThat(proof.verdict().answer()).isEqualTo(Answer.HOLDS);
+        Certificate certificate = proof.certificates().get(0);
+        assertThat(certificate.form()).isEqualTo(Form.CONDITIONS);
+        return certificate;
+    }
+
+    /** Without a pair, without a condition, with another number, with another sign. */
+    private static List<Certificate> changed(Certificate proof) {
+        List<Certificate> all = new ArrayList<>();
+        for (int i = 0; i < proof.entries().size(); i++) {
+            List<Entry> rest = new ArrayList<>(proof.entries());
+            Entry entry = rest.remove(i);
+            all.add(new Certificate(Form.CONDITIONS, rest));
+            for (int c = 0; c < entry.right().size(); c++) {
+                all.add(with(proof, i, replaced(entry, c, List.of())));
+                String one = entry.right().get(c);
+                all.add(with(proof, i, replaced(entry, c, List.of(one.replace("==", "<=")))));
+                all.add(
+                        with(
+                                proof,
+                                i,
+                                replaced(entry, c, List.of(one.replace(" right.", " -right.")))));
+            }
+        }
+        all.removeIf(proof::equals);
+        return all;
+    }
+
+    private static Entry replaced(Entry entry, int which, List<String> other) {
+        List<String> conditions = new ArrayList<>(entry.right());
+        conditions.remove(which);
+        conditions.addAll(which, other);
+        return new Entry(entry.left(), conditions);
+    }
+
+    private static Certificate with(Certificate proof, int which, Entry other) {
+        List<Entry> entries = new ArrayList<>(proof.entries());
+        entries.set(which, other);
+        return new Certificate(Form.CONDITIONS, entries);
+    }
+
+    /** Neither what is looked for, nor all pairs without a condition, proves what fails. */
+    @Test
+    void whatFailsIsNotProved() {
+        int failed = 0;
+        int proved = 0;
+        for (Pair pair : RandomPairs.any(31, 300)) {
+            Promise left = pair.left();
+            Promise right = pair.right();
+            Answer answer = Refinement.check(left, right, Budget.ofMemory()).answer();
+            Optional<Certificate> found =
+                    Refinement.comparable(left, right).isPresent()
+                            ? Optional.empty()
+                            : CoupledRefinement.proof(left, right, Budget.ofMemory());
+            if (answer == Answer.FAILS) {
+                assertThat(found).as(pair::toString).isEmpty();
+                assertThat(problem(left, right, List.of(everything(left, right))))
+                        .as(pair::toString)
+                        .isPresent();
+                failed++;
+            } else {
+                proved += found.isPresent() ? 1 : 0;
+            }
+        }
+        assertThat(failed).isGreaterThan(60);
+        assertThat(proved).isGreaterThan(30);
+    }
+
+    private static Certificate everything(Promise left, Promise right) {
+        List<Entry> entries = new ArrayList<>();
+        for (String one : left.automata().get(0).states()) {
+            for (String two : right.automata().get(0).states()) {
+                entries.add(new Entry(one + " with " + two, List.of()));
+            }
+        }
+        return new Certificate(Form.CONDITIONS, entries);
+    }
+
+    /** Of random questions about Integers, the search knows which fail. */
+    @Test
+    void whatFailsAboutDataIsNotProved() {
+        int failed = 0;
+        int proved = 0;
+        for (int seed = 0; seed < 60; seed++) {
+            Sides sides = Sides.of(new RandomQuestion(seed).models());
+            Answer answer = sides.check(new Budget(() -> false, 10_000)).answer();
+            boolean found =
+                    CoupledRefinement.proof(sides.left(), sides.right(), Budget.ofMemory())
+                            .isPresent();
+            assertThat(found && answer == Answer.FAILS).as("seed " + seed).isFalse();
+            failed += answer == Answer.FAILS ? 1 : 0;
+            proved += found ? 1 : 0;
+        }
+        assertThat(failed).isGreaterThan(10);
+        assertThat(proved).isGreaterThan(10);
+    }
+}
