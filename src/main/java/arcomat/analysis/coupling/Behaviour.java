@@ -4,7 +4,8 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -30,15 +31,15 @@ record Behaviour(
     static final int CHAOS = -1;
 
     Behaviour {
-        sends = Map.copyOf(sends);
-        after = Map.copyOf(after);
+        sends = Collections.unmodifiableMap(new LinkedHashMap<>(sends));
+        after = Collections.unmodifiableMap(new LinkedHashMap<>(after));
     }
 
     /** The same with a letter of which something is known. */
     Behaviour with(UnaryOperator<Expression> rest) {
-        Map<String, Emitted> otherSends = new HashMap<>();
+        Map<String, Emitted> otherSends = new LinkedHashMap<>();
         sends.forEach((port, sent) -> otherSends.put(port, sent.with(rest)));
-        Map<String, Expression> otherAfter = new HashMap<>();
+        Map<String, Expression> otherAfter = new LinkedHashMap<>();
         after.forEach((port, value) -> otherAfter.put(port, rest.apply(value)));
         return new Behaviour(rest.apply(when), otherSends, target, otherAfter, name);
     }

@@ -5,8 +5,6 @@ import arcomat.model.Port;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
 
 /** For each pair of states that is thought to be reachable, what is so of variables there. */
 record Conditions(Map<StatePair, List<Comparison>> byPair) {
@@ -16,10 +14,11 @@ record Conditions(Map<StatePair, List<Comparison>> byPair) {
     }
 
     /** Variables that some condition is about. */
-    Set<Port> variables() {
+    List<Port> variables() {
         return byPair.values().stream()
                 .flatMap(List::stream)
                 .flatMap(each -> each.expression().ports().stream())
-                .collect(Collectors.toSet());
+                .distinct()
+                .toList();
     }
 }

@@ -21,10 +21,10 @@ import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * An automaton as one side of a comparison. Its variables are read as if they were ports with a
@@ -94,11 +94,6 @@ final class CoupledSide {
         }
         if (component.body() instanceof Component.Atomic atomic && !atomic.shown().isEmpty()) {
             throw new GivenUp("a port of " + component.name() + " shows a variable");
-        }
-        for (Port port : component.inputs()) {
-            if (port.latched() || port.first().isPresent()) {
-                throw new GivenUp("'%s' keeps its value".formatted(port.name()));
-            }
         }
     }
 
@@ -196,7 +191,7 @@ final class CoupledSide {
     }
 
     private Behaviour taken(Transition transition, DataStep step) {
-        Map<String, Emitted> sends = new HashMap<>();
+        Map<String, Emitted> sends = new LinkedHashMap<>();
         for (Port port : relation.component().outputs()) {
             List<Expression> values = step.sends().getOrDefault(port.name(), List.of());
             sends.put(
@@ -205,7 +200,7 @@ final class CoupledSide {
                             ? Emitted.of(open(port, transition))
                             : Emitted.of(values.get(0)));
         }
-        Map<String, Expression> after = new HashMap<>();
+        Map<String, Expression> after = new LinkedHashMap<>();
         for (int i = 0; i < step.stores().size(); i++) {
             String variable = transition.assignments().get(i).variable().name();
             after.put(port(variable).name(), step.stores().get(i));
@@ -240,16 +235,11 @@ final class CoupledSide {
 
     private Behaviour completed(int state, List<DataStep> steps) {
         boolean ignores = completion() == Completion.IGNORE;
-        Map<String, Emitted> sends =
-                relation.component().outputs().stream()
-                        .collect(
-                                Collectors.toMap(
-                                        Port::name,
-                                        port ->
-                                                Emitted.of(
-                                                        ignores && owned.contains(port.name())
-                                                                ? Sent.SILENCE
-                                                                : Effect.anything(port))));
+        Map<String, Emitted> sends = new LinkedHashMap<>();
+        for (Port port : relation.component().outputs()) {
+            boolean silent = ignores && owned.contains(port.name());
+            sends.put(port.name(), Emitted.of(silent ? Sent.SILENCE : Effect.anything(port)));
+        }
         int target = completion() == Completion.CHAOS ? Behaviour.CHAOS : state;
         return new Behaviour(
                 unhandled(steps), sends, target, Map.of(), "completion of " + state(state));

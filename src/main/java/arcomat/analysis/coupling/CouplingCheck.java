@@ -114,7 +114,7 @@ public final class CouplingCheck {
     }
 
     private Optional<String> out(StatePair pair) {
-        Set<Port> variables = conditions.variables();
+        List<Port> variables = conditions.variables();
         for (Set<String> messages : coupling.messages(pair)) {
             Slice slice = Slice.of(coupling, pair, messages, variables);
             Optional<String> problem = error(slice);

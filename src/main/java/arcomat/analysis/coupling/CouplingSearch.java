@@ -20,6 +20,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -31,8 +32,14 @@ import java.util.stream.IntStream;
 public final class CouplingSearch {
     private static final Value[] NO_VARIABLES = {};
 
-    /** So many questions are put to solvers; a fraction of a second, where numbers are compared. */
-    private static final int MOST_QUESTIONS = 4_000;
+    /**
+     * So many questions are put to solvers; a second or two, where numbers are compared. Who finds
+     * no conditions has waited for nothing.
+     */
+    private static final int MOST_QUESTIONS = 500;
+
+    /** Of both sides together; of more there are too many comparisons. */
+    private static final int MOST_VARIABLES = 8;
 
     private final Coupling coupling;
     private final BooleanSupplier stop;
@@ -49,20 +56,23 @@ public final class CouplingSearch {
     }
 
     /**
-     * Pairs of states, each with conditions.
+     * Looks for conditions.
      *
      * @param stop asked now and then, whether to give up
      * @throws GivenUp where it takes too long
      */
-    public static List<Entry> proposal(Coupling coupling, BooleanSupplier stop) {
+    public static CouplingSearch of(Coupling coupling, BooleanSupplier stop) {
         CouplingSearch search = new CouplingSearch(coupling, stop);
+        if (search.variables.size() > MOST_VARIABLES) {
+            throw new GivenUp("too many variables");
+        }
         search.begin();
         while (!search.open.isEmpty()) {
             StatePair pair = search.open.iterator().next();
             search.open.remove(pair);
             search.goOn(pair);
         }
-        return search.entries();
+        return search;
     }
 
     private void begin() {
@@ -103,7 +113,7 @@ public final class CouplingSearch {
 
     private void goOn(StatePair pair) {
         for (Set<String> messages : coupling.messages(pair)) {
-            Slice slice = Slice.of(coupling, pair, messages, Set.copyOf(variables));
+            Slice slice = Slice.of(coupling, pair, messages, variables);
             for (Behaviour mine : slice.mine()) {
                 for (Behaviour theirs : slice.theirs()) {
                     if (mine.target() != Behaviour.CHAOS && theirs.target() != Behaviour.CHAOS) {
@@ -152,17 +162,33 @@ public final class CouplingSearch {
                         .evaluate(row, NO_VARIABLES));
     }
 
-    private List<Entry> entries() {
+    /** Pairs of states, each with all conditions that no example contradicts. */
+    public List<Entry> proposal() {
+        return entries(pair -> Objects.requireNonNull(found.get(pair)));
+    }
+
+    /**
+     * The same without conditions that follow from others.
+     *
+     * @throws GivenUp where it takes too long
+     */
+    public List<Entry> shortened() {
+        questions = 0;
+        return entries(this::needed);
+    }
+
+    private List<Entry> entries(Function<StatePair, List<Comparison>> conditions) {
         return found.keySet().stream()
                 .map(
                         pair ->
                                 new Entry(
                                         coupling.name(pair),
-                                        needed(pair).stream().map(Comparison::toString).toList()))
+                                        conditions.apply(pair).stream()
+                                                .map(Comparison::toString)
+                                                .toList()))
                 .toList();
     }
 
-    /** Without those that follow from the others. */
     private List<Comparison> needed(StatePair pair) {
         List<Comparison> all = Objects.requireNonNull(found.get(pair));
         List<Comparison> needed = new ArrayList<>(all);

@@ -30,7 +30,8 @@ record Slice(
      * @param messages names of the ports that carry one
      * @param conditions their variables count as read
      */
-    static Slice of(Coupling coupling, StatePair pair, Set<String> messages, Set<Port> conditions) {
+    static Slice of(
+            Coupling coupling, StatePair pair, Set<String> messages, List<Port> conditions) {
         List<String> open =
                 Stream.concat(messages.stream(), coupling.memory.stream().map(Port::name)).toList();
         PartialEvaluation known = new PartialEvaluation(Map.of(), Set.copyOf(open));
@@ -47,7 +48,7 @@ record Slice(
         return behaviours.stream().map(each -> each.with(known::of)).toList();
     }
 
-    private static List<Port> ports(List<Expression> read, Set<Port> others) {
+    private static List<Port> ports(List<Expression> read, List<Port> others) {
         Map<String, Port> ports = new LinkedHashMap<>();
         read.stream()
                 .flatMap(each -> each.ports().stream())

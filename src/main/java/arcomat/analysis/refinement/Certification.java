@@ -51,7 +51,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
     private static Certificate told(
             Promise left, Promise right, Supplier<Certificate> proof, Budget budget) {
         return CoupledRefinement.readsMuch(left, right)
-                ? CoupledRefinement.proof(left, right, budget).orElseGet(proof)
+                ? CoupledRefinement.proof(left, right, budget).orElse(proof).get()
                 : proof.get();
     }
 

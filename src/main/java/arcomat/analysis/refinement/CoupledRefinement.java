@@ -59,23 +59,39 @@ final class CoupledRefinement {
                 .allMatch(each -> each.automata().size() == 1 && !each.devices());
     }
 
-    /** A proof that has been checked; empty where there is none to be had. */
-    static Optional<Certificate> proof(Promise left, Promise right, Budget budget) {
-        if (!areFlat(left, right)) {
-            return Optional.empty();
-        }
-        return orNothing(
-                () -> {
-                    Coupling coupling = coupling(left, right);
-                    List<Entry> entries = CouplingSearch.proposal(coupling, budget::isSpent);
-                    return CouplingCheck.problem(coupling, entries, budget::isSpent).isEmpty()
-                            ? Optional.of(new Certificate(Form.CONDITIONS, entries))
-                            : Optional.empty();
-                });
+    /**
+     * A proof that has been checked; empty where there is none to be had.
+     *
+     * @return what tells it, as briefly as possible
+     */
+    static Optional<Supplier<Certificate>> proof(Promise left, Promise right, Budget budget) {
+        return areFlat(left, right)
+                ? Budget.within(() -> found(left, right, budget), reason -> Optional.empty())
+                : Optional.empty();
     }
 
-    private static Optional<Certificate> orNothing(Supplier<Optional<Certificate>> search) {
-        return Budget.within(search, reason -> Optional.empty());
+    private static Optional<Supplier<Certificate>> found(
+            Promise left, Promise right, Budget budget) {
+        Coupling coupling = coupling(left, right);
+        CouplingSearch search = CouplingSearch.of(coupling, budget::isSpent);
+        return proves(coupling, search.proposal(), budget)
+                ? Optional.of(() -> told(coupling, search, budget))
+                : Optional.empty();
+    }
+
+    private static boolean proves(Coupling coupling, List<Entry> entries, Budget budget) {
+        return CouplingCheck.problem(coupling, entries, budget::isSpent).isEmpty();
+    }
+
+    private static Certificate told(Coupling coupling, CouplingSearch search, Budget budget) {
+        List<Entry> all = search.proposal();
+        Optional<List<Entry>> fewer =
+                Budget.within(
+                        () ->
+                                Optional.of(search.shortened())
+                                        .filter(each -> proves(coupling, each, budget)),
+                        reason -> Optional.empty());
+        return new Certificate(Form.CONDITIONS, fewer.orElse(all));
     }
 
     /**

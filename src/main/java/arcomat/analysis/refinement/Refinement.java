@@ -208,9 +208,9 @@ public final class Refinement {
         if (verdict.answer() != Answer.UNKNOWN) {
             return verdict;
         }
-        Optional<Certificate> shown = CoupledRefinement.proof(left, right, budget);
+        Optional<Supplier<Certificate>> shown = CoupledRefinement.proof(left, right, budget);
         if (shown.isPresent()) {
-            proof.accept(shown::get);
+            proof.accept(shown.get());
             return CoupledRefinement.verdict();
         }
         return byPairs(left, right, budget, Optional.empty(), proof);

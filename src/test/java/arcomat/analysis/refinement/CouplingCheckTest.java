@@ -6,11 +6,13 @@ import arcomat.analysis.RandomPairs;
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.Sections;
 import arcomat.analysis.Sections.Section;
+import arcomat.analysis.Verdicts;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.analysis.search.product.Certificate.Form;
+import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.report.verdict.CertificateText;
 
@@ -22,6 +24,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
@@ -31,6 +34,8 @@ import java.util.stream.Stream;
  */
 class CouplingCheckTest {
     private static final Path CHECKS = Path.of("src/test/resources/analysis/coupling/checks.txt");
+    private static final Path VERDICTS =
+            Path.of("src/test/resources/analysis/coupling/verdicts.txt");
     private static final String PROVED = "proved by conditions";
 
     @TestFactory
@@ -71,10 +76,51 @@ class CouplingCheckTest {
         return VerdictsTest.promise(model, section.rest().split(" ")[1], '-');
     }
 
+    /** Such ports are there for observers only, and what they show in a completion is not told. */
+    @Test
+    void portsThatShowVariablesAreNotUnderstood() {
+        Component says = Sections.read(CHECKS).model().component("c.Says").orElseThrow();
+        Component shows =
+                says.like(
+                        says.name(),
+                        says.ports(),
+                        new Component.Atomic(
+                                says.automata(), List.of(new Component.Shown("n", "y"))),
+                        says.span());
+        Promise promise = Promise.of(shows, List.of());
+        assertThat(problem(promise, promise, List.of(everything(promise, promise))))
+                .contains("a port of Says shows a variable");
+    }
+
+    /** As {@link VerdictsTest}; without conditions, these questions have no end. */
+    @TestFactory
+    Stream<DynamicTest> verdicts() {
+        Sections sections = Sections.read(VERDICTS);
+        Model model = sections.model();
+        return sections.of("ask").stream()
+                .flatMap(
+                        ask ->
+                                ask.lines().stream()
+                                        .map(
+                                                line ->
+                                                        DynamicTest.dynamicTest(
+                                                                ask.rest() + " " + line,
+                                                                () -> ask(model, ask, line))));
+    }
+
+    private static void ask(Model model, Section section, String line) {
+        String[] names = section.rest().split(" ");
+        String expected = line.substring(line.indexOf(' ') + 1);
+        Promise left = VerdictsTest.promise(model, names[0], line.charAt(0));
+        Promise right = VerdictsTest.promise(model, names[1], line.charAt(2));
+        Verdict verdict = Refinement.check(left, right, new Budget(() -> false, 10_000));
+        assertThat(Verdicts.text(verdict, expected)).isEqualTo(expected);
+    }
+
     /** Each proof of the data is accepted, and is none where something of it is changed. */
     @Test
     void whatIsFoundIsAProofAndNeedsItsParts() {
-        Sections sections = Sections.read(VerdictsTest.FOLDER.resolve("conditions.txt"));
+        Sections sections = Sections.read(VERDICTS);
         Model model = sections.model();
         int proofs = 0;
         int refused = 0;
@@ -148,7 +194,7 @@ class CouplingCheckTest {
             Promise left = pair.left();
             Promise right = pair.right();
             Answer answer = Refinement.check(left, right, Budget.ofMemory()).answer();
-            Optional<Certificate> found =
+            Optional<Supplier<Certificate>> found =
                     Refinement.comparable(left, right).isPresent()
                             ? Optional.empty()
                             : CoupledRefinement.proof(left, right, Budget.ofMemory());
