@@ -38,7 +38,8 @@ public final class InstalledZ3 {
                     .write(String.join("\n", script).getBytes(StandardCharsets.UTF_8));
             process.getOutputStream().close();
             byte[] printed = process.getInputStream().readAllBytes();
-            process.waitFor(); // Giving up is also told as an error.
+            process.waitFor();
+            // Giving up is also told as an error.
             return new String(printed, StandardCharsets.UTF_8)
                     .lines()
                     .filter(line -> !line.endsWith("canceled\")"))
