@@ -69,13 +69,13 @@ class OpenWorldsTest {
     @Test
     void offersWhatCouldBeWritten() throws IOException {
         check(WORLD, ROVER);
-        assertThat(offered("robot one rover at")).contains("\"label\":\"rover\"", "kind of robots");
-        assertThat(offered("program component Rover in"))
+        assertThat(offered("robot one rover")).contains("\"label\":\"rover\"", "kind of robots");
+        assertThat(offered("program component Rover"))
                 .contains("\"label\":\"Rover\"")
                 .doesNotContain("\"label\":\"Mind\"");
         assertThat(offered("program component Rover in ."))
                 .contains("\"from\":66,", "\"label\":\"..\"", "folder of models");
-        assertThat(offered("ultrasonic S1")).contains("\"words\":[", "\"holder\"", "\"bumper\"");
+        assertThat(offered("ultrasonic")).contains("\"words\":[", "\"holder\"", "\"bumper\"");
         assertThat(desk.complete("robots/empty.world", "", 0))
                 .contains("\"floor\"", "a world with one robot", "${1:2000}");
     }
