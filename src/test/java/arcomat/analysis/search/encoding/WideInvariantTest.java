@@ -1,7 +1,8 @@
-package arcomat.analysis.refinement;
+package arcomat.analysis.search.encoding;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.InvariantProof;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
