@@ -17,9 +17,8 @@ import arcomat.syntax.Caret;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What is said at a place of a text: what could be written there, and what a name means. */
 final class WordAnswers {
@@ -45,13 +44,13 @@ final class WordAnswers {
     static String offers(SourceFile world, int offset, WorldChoices.Programs programs) {
         List<Choice> choices = new WorldChoices(world, programs).at(offset);
         LineOffers offers = LineOffers.at(world, offset, choices);
-        Map<Boolean, List<Choice>> all =
-                choices.stream().collect(Collectors.partitioningBy(Choice::isWord));
+        List<Choice> names = choices.stream().filter(each -> !each.isWord()).toList();
+        Stream<Choice> words = choices.stream().filter(Choice::isWord);
         return JsonText.object(
                 json -> {
                     json.field("from", offers.typed().start());
-                    json.objects("names", all.get(false), WordAnswers::choice);
-                    json.strings("words", all.get(true).stream().map(Choice::word).toList());
+                    json.objects("names", names, WordAnswers::choice);
+                    json.strings("words", words.map(Choice::word).toList());
                     json.objects("pieces", offers.pieces(), WordAnswers::piece);
                 });
     }
