@@ -260,7 +260,7 @@ export class Editor {
     /** What could be written here, as editors offer it: names first, then words, then whole pieces. */
     async offers(context) {
         const asked = WORD_BEFORE.exec(context.state.sliceDoc(Math.max(0, context.pos - 1), context.pos));
-        if (!context.explicit && !asked || languageOf(this.path) !== language) {
+        if (!context.explicit && !asked) {
             return null;
         }
         const found = await this.ask('complete', this.path, context.state.doc.toString(), context.pos);

@@ -12,7 +12,7 @@ class Carried {
     this.signs = this.senders().flatMap((port) => {
       const track = byName.get(carried[port]);
       const place = svg.querySelector(`[data-port="${CSS.escape(port)}"]`);
-      return track === undefined || place === null ? [] : [this.sign(place, track)];
+      return track === undefined || place === null ? [] : [this.sign(port, place, track)];
     });
     svg.append(...this.signs.map((sign) => sign.text));
   }
@@ -23,11 +23,12 @@ class Carried {
   }
 
   /** Beside the port, above its wire; what is longer than there is room tells the rest when asked. */
-  sign(port, track) {
-    const { x, y, width } = boxOf(port.querySelector("rect"));
+  sign(port, place, track) {
+    const { x, y, width } = boxOf(place.querySelector("rect"));
+    const whose = { "data-beside": port, "data-in": Wires.owner(Wires.owner(port)) }; // for who folds
     const title = shape("title");
     const line = shape("tspan");
-    return { track, line, title, text: shape("text", { class: "carried", x: x + width + 4, y: y - 1 }, title, line) };
+    return { track, line, title, text: shape("text", { class: "carried", ...whose, x: x + width + 4, y: y - 1 }, title, line) };
   }
 
   show(step) {

@@ -6,10 +6,13 @@ const COLUMN = 2;
 const LETTER = 6.7;
 const PADDING = 5;
 
+/** More numbers than that are a curve. */
+const MOST_IN_WORDS = 12;
+
 function drawLane(lane, track, view, colours, flaws) {
   const shapes = [];
   const paths = new Map();
-  if (track.numbers && view.pixelsPerStep < 24) {
+  if (isCurve(track, view)) {
     drawCurve(shapes, track, view);
   } else {
     drawBoxes(shapes, paths, track, view, colours);
@@ -27,6 +30,16 @@ function drawLane(lane, track, view, colours, flaws) {
   lane.replaceChildren(...shapes);
 }
 
+/** Whether it is numbers that have no room as texts. Where nothing may be left out, a few find room beside their boxes. */
+function isCurve(track, view) {
+  return track.numbers !== null && view.pixelsPerStep < 24 && (view.abbreviates || messagesIn(track, view) > MOST_IN_WORDS);
+}
+
+function messagesIn(track, view) {
+  const last = track.runAt(Math.min(view.from + view.span, view.length) - 1);
+  return track.codes.subarray(track.runAt(view.from), last + 1).filter((code) => code !== NOTHING).length;
+}
+
 /** A box for each run with its text, columns of colour where boxes have no room. */
 function drawBoxes(shapes, paths, track, view, colours) {
   const end = Math.min(view.from + view.span, view.length);
@@ -37,7 +50,7 @@ function drawBoxes(shapes, paths, track, view, colours) {
     const to = view.x(track.starts[run + 1]);
     const code = track.codes[run];
     if (to - from >= COLUMN * 2) {
-      drawBox(shapes, paths, track, code, Math.max(from, -9), Math.min(to, view.width + 9), colours);
+      drawBox(shapes, paths, track, code, Math.max(from, -9), Math.min(to, view.width + 9), view, colours);
       step = track.starts[run + 1];
     } else {
       const x = Math.floor(view.x(step) / COLUMN) * COLUMN;
@@ -50,7 +63,7 @@ function drawBoxes(shapes, paths, track, view, colours) {
   }
 }
 
-function drawBox(shapes, paths, track, code, from, to, colours) {
+function drawBox(shapes, paths, track, code, from, to, view, colours) {
   if (code === NOTHING) {
     const middle = LANE.height / 2;
     add(paths, "silence", `M${round(from + 1)} ${middle}H${round(to - 1)}`);
@@ -66,14 +79,25 @@ function drawBox(shapes, paths, track, code, from, to, colours) {
   shapes.push(shape("rect", box));
   // What begins left of the window says its name where it can be read.
   const left = Math.max(from, 0) + PADDING;
-  const text = fitting(track.values[code], to - PADDING - left);
+  const room = Math.min(to, view.width) - PADDING - left;
+  const text = view.abbreviates ? fitting(track.values[code], room) : whole(track.values[code], room);
   if (text !== "") {
     shapes.push(shape("text", { x: round(left), y: LANE.height / 2 + 4 }, text));
   }
 }
 
+/** How many letters there is room for. */
+function lettersIn(width) {
+  return Math.floor((width + 1) / LETTER);
+}
+
+/** A text or nothing. */
+function whole(text, width) {
+  return text.length <= lettersIn(width) ? text : "";
+}
+
 function fitting(text, width) {
-  const letters = Math.floor((width + 1) / LETTER);
+  const letters = lettersIn(width);
   if (text.length <= letters) {
     return text;
   }

@@ -49,6 +49,7 @@ class Paper {
     view.from = from;
     view.span = steps;
     view.width = PIECE.width;
+    view.abbreviates = false;
     const ruler = this.lane("ruler", 27);
     ruler.append(...rulerShapes(view, this.story));
     const rows = [this.row(this.story.unit, ruler)];
@@ -60,9 +61,24 @@ class Paper {
       }
       const lane = this.lane("lane", LANE.height);
       drawLane(lane, track, view, this.story.colours, flaws);
-      rows.push(this.row(shortName(track), lane));
+      rows.push(this.row(this.name(track, view), lane));
+      const rest = tellBeside(lane, track, view);
+      if (rest.length > 0) {
+        rows.push(this.row("", element("p", { class: "told" }, ...rest.map((told) => this.told(told)))));
+      }
     }
     return element("div", { class: "timeline piece" }, ...rows);
+  }
+
+  /** Of a curve with its bounds. */
+  name(track, view) {
+    const bounds = `${track.least} to ${track.greatest}`;
+    return element("span", {}, shortName(track), isCurve(track, view) ? element("small", {}, bounds) : null);
+  }
+
+  /** A value in words, and when it begins. */
+  told({ step, text }) {
+    return element("span", {}, element("b", {}, this.story.label(step)), "\u00a0" + text);
   }
 
   row(name, lane) {
@@ -72,6 +88,29 @@ class Paper {
   lane(style, height) {
     return shape("svg", { class: style, viewBox: `0 0 ${PIECE.width} ${height}`, "aria-hidden": "true" });
   }
+}
+
+/** Writes what has no room in its box behind it, where silence follows for long enough; answers all that has no room there either. */
+function tellBeside(lane, track, view) {
+  const rest = [];
+  const end = isCurve(track, view) ? view.from : Math.min(view.from + view.span, view.length);
+  const x = (step) => clamp(view.x(step), 0, view.width);
+  for (let step = view.from; step < end && track.count > 0; step = track.starts[track.runAt(step) + 1]) {
+    const run = track.runAt(step);
+    const [from, to] = [x(track.starts[run]), x(track.starts[run + 1])];
+    const text = track.codes[run] === NOTHING ? "" : track.values[track.codes[run]];
+    if (whole(text, to - from - 2 * PADDING) === text) {
+      continue;
+    }
+    const isBeforeSilence = run + 1 < track.count && track.codes[run + 1] === NOTHING;
+    const room = isBeforeSilence ? x(track.starts[run + 2]) - to : 0;
+    if (whole(text, room - PADDING) === text) {
+      lane.append(shape("text", { class: "beside-box", x: round(to + 2), y: LANE.height / 2 + 4 }, text));
+    } else {
+      rest.push({ step: track.starts[run], text });
+    }
+  }
+  return rest;
 }
 
 function listenToPrinters(stories) {

@@ -12,6 +12,7 @@ class View {
     this.from = 0;
     this.span = this.length;
     this.width = 800;
+    this.abbreviates = true;
   }
 
   get pixelsPerStep() {

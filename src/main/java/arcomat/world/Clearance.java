@@ -6,8 +6,8 @@ import arcomat.world.World.Robot;
 import java.util.List;
 
 /**
- * How close robots have come to each other and to what stands around them, over a run. Measured a
- * hundred times a second of the run.
+ * How close robots have come to each other and to what stands or lies around them, over a run.
+ * Measured a hundred times a second of the run.
  */
 final class Clearance {
     private final World world;
@@ -66,6 +66,11 @@ final class Clearance {
                 Point centre = legs.centre();
                 nearest = Math.min(nearest, pose.distance(centre.x(), centre.y()) - legs.radius());
             }
+        }
+        for (int i = 0; i < scene.things().size(); i++) {
+            Point middle = scene.things().get(i).place();
+            double radius = world.things().get(i).radius();
+            nearest = Math.min(nearest, pose.distance(middle.x(), middle.y()) - radius);
         }
         clear = Math.min(clear, Math.min(nearest - radius(index), toEdge(pose)));
     }

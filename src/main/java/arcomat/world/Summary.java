@@ -21,9 +21,9 @@ import java.util.TreeMap;
  * @param stillSince as {@link Recording#stillSince()}
  * @param apart the smallest distance between the bodies of two robots, one of which can drive, in
  *     mm; infinite where there are no two such robots
- * @param clear the smallest distance from the body of a robot that can drive to a wall or to a
- *     person's legs, or from its middle to the edge of the floor, in mm: it has fallen when that is
- *     over the edge. Infinite where no robot can drive
+ * @param clear the smallest distance from the body of a robot that can drive to a wall, to a thing
+ *     or to a person's legs, or from its middle to the edge of the floor, in mm: it has fallen when
+ *     that is over the edge. Infinite where no robot can drive
  * @param failures why programs stopped, by robot
  * @param late robots whose slices took too long
  */

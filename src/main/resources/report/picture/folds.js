@@ -26,6 +26,17 @@ class Folds {
     return part.classList.contains("folded");
   }
 
+  /** Those that are to be seen. */
+  closedParts() {
+    return this.parts.filter((part) => this.isClosed(part) && !part.classList.contains("hidden-inside"));
+  }
+
+  /** What is to be seen and shows what is inside: parts, and the whole. */
+  openBoxes() {
+    const parts = this.parts.filter((part) => !this.isClosed(part) && !part.classList.contains("hidden-inside"));
+    return [...this.svg.querySelectorAll(":scope > .frame"), ...parts];
+  }
+
   /** Elements that lie in a part, at any depth; its own ports are on its border. */
   inside(name) {
     return [...this.svg.children].filter((each) => {

@@ -32,9 +32,9 @@ class PictureViewer {
   /**
    * @param svg a picture of the tool, which the viewer takes
    * @param name of what is drawn, for those who cannot see it
-   * @param folded told the names of parts that were closed
+   * @param folded told the names of parts that were closed, where somebody draws the picture anew then; else it is closed up
    */
-  constructor(svg, name, folded = () => {}) {
+  constructor(svg, name, folded = null) {
     this.name = name;
     this.folded = folded;
     this.scale = 1;
@@ -59,7 +59,8 @@ class PictureViewer {
     this.wires = new Wires(svg);
     this.folds = new Folds(svg, (closed) => this.foldedTo(closed));
     this.finder = new Finder(svg, (element, said) => this.showFound(element, said));
-    this.size = { width: svg.viewBox.baseVal.width, height: svg.viewBox.baseVal.height };
+    this.shrinking = null;
+    this.measure();
     svg.setAttribute("role", "group"); // what is in it can be reached
     svg.setAttribute("aria-label", this.name);
     this.window.replaceChildren(svg);
@@ -76,6 +77,11 @@ class PictureViewer {
     if (focused) {
       (svg.querySelector(`[data-part="${CSS.escape(focused.dataset.part)}"] > .fold`) || this.window).focus();
     }
+  }
+
+  measure() {
+    const { width, height } = this.svg.viewBox.baseVal;
+    this.size = { width, height };
   }
 
   tool(name) {
@@ -258,7 +264,18 @@ class PictureViewer {
 
   foldedTo(closed) {
     this.nameFold();
-    this.folded(closed);
+    if (this.folded !== null) {
+      this.folded(closed);
+      return;
+    }
+    this.shrinking ??= new Shrinking(this.svg);
+    this.shrinking.show(this.folds.closedParts(), this.folds.openBoxes());
+    this.measure();
+    if (this.fitted) {
+      this.fit();
+    } else {
+      this.setScale(this.scale);
+    }
   }
 
   nameFold() {

@@ -64,6 +64,19 @@ class TallyTest {
     }
 
     @Test
+    void thingsAreMetByTheBody() {
+        String start =
+                "floor 3000 1000\n"
+                        + QUIET
+                        + Worlds.ROVER
+                        + "robot one rover at 700 500\nthing box at 1000 500 body 60 300\n";
+        assertThat(drive(start, 0.1, new double[3]).clear()).isEqualTo(160);
+        Summary pushing = drive(start, 5, new double[] {360, 360, 0});
+        assertThat(pushing.clear()).isCloseTo(0, within(0.01));
+        assertThat(pushing.collisions()).isZero();
+    }
+
+    @Test
     void aRobotThatPushesStandsStill() {
         Summary summary =
                 drive(

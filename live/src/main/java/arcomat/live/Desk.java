@@ -66,7 +66,10 @@ public final class Desk {
      * @param text of the file as it is now, which may be newer than what was checked
      */
     public String complete(String path, String text, int offset) {
-        return WordAnswers.offers(read, new SourceFile(path, text), offset);
+        SourceFile file = new SourceFile(path, text);
+        return OpenWorlds.isWorld(file)
+                ? WordAnswers.offers(file, offset, new OpenPrograms(path, models))
+                : WordAnswers.offers(read, file, offset);
     }
 
     /** What is known of the name at a place; an empty object where there is none. */

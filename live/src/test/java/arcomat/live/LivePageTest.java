@@ -54,6 +54,7 @@ class LivePageTest extends BrowserTest {
         tests.put("repairs", this::repairs);
         tests.put("error elsewhere", this::drawsBesideErrors);
         tests.put("completes", this::completes);
+        tests.put("completes in worlds", this::completesInWorlds);
         tests.put("half a line", this::liesHalfWritten);
         tests.put("wires", this::drawsWiresFromOwnPorts);
         tests.put("steps", this::steps);
@@ -169,6 +170,22 @@ class LivePageTest extends BrowserTest {
         browser.await(() -> !browser.findAll(".facts").isEmpty());
         assertThat(browser.text(".facts")).contains("state closed");
         browser.picture("live-facts-light");
+    }
+
+    /** There, kinds of robots are names. */
+    private void completesInWorlds() {
+        String world = "floor 900 900\n\nkind rover\n  wheels A B\n\nrobot one \n";
+        String state =
+                Json.compact(
+                        Map.of("files", texts(Map.of("room.world", world)), "needed", List.of()));
+        browser.open("about:blank", "html");
+        browser.open(LivePage.FILE.toUri() + "#" + LivePage.packed(state), "body[data-checked]");
+        browser.press(Keys.chord(Keys.ALT, "1"));
+        goBehind("robot one ");
+        browser.type("ro");
+        browser.await(() -> offered().contains("kind of robots"));
+        assertThat(offered()).contains("rover").doesNotContain("wheels");
+        browser.picture("live-completion-world-light");
     }
 
     private String offered() {

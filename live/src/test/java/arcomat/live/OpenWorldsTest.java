@@ -65,6 +65,28 @@ class OpenWorldsTest {
         return texts;
     }
 
+    /** As editors have it: words of the language, names of the world, components, their folder. */
+    @Test
+    void offersWhatCouldBeWritten() throws IOException {
+        check(WORLD, ROVER);
+        assertThat(offered("robot one rover")).contains("\"label\":\"rover\"", "kind of robots");
+        assertThat(offered("program component Rover"))
+                .contains("\"label\":\"Rover\"")
+                .doesNotContain("\"label\":\"Mind\"");
+        assertThat(offered("program component Rover in ."))
+                .contains("\"from\":66,", "\"label\":\"..\"", "folder of models");
+        assertThat(offered("ultrasonic")).contains("\"words\":[", "\"holder\"", "\"bumper\"");
+        assertThat(desk.complete("robots/empty.world", "", 0))
+                .contains("\"floor\"", "a world with one robot", "${1:2000}");
+    }
+
+    /** In front of the last word of some text. */
+    private String offered(String words) {
+        String before = words.stripTrailing();
+        int at = WORLD.indexOf(before) + before.lastIndexOf(' ') + 1;
+        return desk.complete("robots/room.world", WORLD, at);
+    }
+
     @Test
     void aRunIsWhatPagesOfWorldsPlay() throws IOException {
         assertThat(check(WORLD, ROVER)).contains("\"findings\":[]");

@@ -35,6 +35,7 @@ class SameAnswersTest extends BrowserTest {
         Map<String, Executable> tests = new LinkedHashMap<>();
         tests.put("findings", this::findings);
         tests.put("words", this::words);
+        tests.put("words of worlds", this::wordsOfWorlds);
         tests.put("numbers", this::numbers);
         tests.put("verdicts", this::verdicts);
         tests.put("the coffee robots", this::coffee);
@@ -74,6 +75,31 @@ class SameAnswersTest extends BrowserTest {
             assertThat(page.ask("facts", "Chain.arc", offset))
                     .as("facts at " + offset)
                     .isEqualTo(desk.facts("Chain.arc", offset));
+        }
+    }
+
+    /** What could be written in a world whose robots are made of the models beside it. */
+    private void wordsOfWorlds() {
+        LivePage page = LivePage.open(browser);
+        String world =
+                """
+                parameter start 300
+                floor 2000 1000
+                kind rover
+                  program component Rover in ..
+                  wheels A B
+                robot one rover at $start 500
+
+                """;
+        Map<String, String> texts =
+                Map.of("Rover.arc", "<<deploy>> component Rover {}", "floors/room.world", world);
+        Desk desk = new Desk();
+        ModelTexts.check(desk, texts);
+        page.check(texts);
+        for (int offset = 0; offset <= world.length(); offset++) {
+            assertThat(page.ask("complete", "floors/room.world", world, offset))
+                    .as("offers at " + offset)
+                    .isEqualTo(desk.complete("floors/room.world", world, offset));
         }
     }
 

@@ -130,17 +130,20 @@ public final class InvariantProof {
     private Verdict search() {
         Promise together = Promise.of(watch.together(), asked.arguments());
         ComparedSystems systems =
-                ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
+                ComparedSystems.of(together, silent(together.component()), budget);
         TraceInclusion inclusion = systems.inclusion(budget, this::symbolic, stores);
         return Budget.within(
                 () -> verdict(together, systems, inclusion).without(inclusion),
                 reason -> Verdict.unknown(reason, explored(inclusion)));
     }
 
-    /** The same question once more, for the second engine. */
+    /**
+     * The same question once more, for the second engine. It writes down what a part does for all
+     * that it may read; so there are many observers, and none looks at much.
+     */
     private Optional<ComparedSystems> symbolic() {
-        Promise together = Promise.of(watch.together(), asked.arguments());
-        return Optional.of(ComparedSystems.of(together, Promise.of(silent(), List.of()), budget));
+        Promise apart = Promise.of(watch.apart(), asked.arguments());
+        return Optional.of(ComparedSystems.of(apart, silent(apart.component()), budget));
     }
 
     private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {
@@ -164,8 +167,8 @@ public final class InvariantProof {
         return new Explored(inclusion.pairs(), inclusion.lefts(), 1);
     }
 
-    /** Never sends on the observer's port, and may end in an error whenever it likes. */
-    private Component silent() {
+    /** Never sends what an observer sends, and may end in an error whenever it likes. */
+    private Promise silent(Component observed) {
         Type one = new Type.IntegerType(Type.Width.INT, 0, 0, true);
         Variable variable = new Variable("error", one, number(0), invariant.span());
         List<Automaton.Transition> transitions =
@@ -182,33 +185,30 @@ public final class InvariantProof {
                         List.of(new Automaton.Initial(0, List.of(), List.of(), invariant.span())),
                         transitions,
                         invariant.span());
-        Port port =
-                new Port(
-                        InvariantWatch.BROKEN,
-                        Port.Direction.OUT,
-                        new Type.BooleanType(),
-                        false,
-                        0,
-                        false,
-                        invariant.span());
+        List<Port> ports =
+                observed.outputs().stream()
+                        .filter(each -> asked.component().port(each.name()).isEmpty())
+                        .toList();
         Component c = asked.component();
-        return new Component(
-                "",
-                invariant.name(),
-                Component.Layer.LOGIC,
-                false,
-                false,
-                c.profile(),
-                c.queueCapacity(),
-                c.cycle(),
-                List.of(),
-                List.of(),
-                List.of(port),
-                new Component.Atomic(List.of(automaton)),
-                List.of(),
-                List.of(),
-                List.of(),
-                invariant.span());
+        Component silent =
+                new Component(
+                        "",
+                        invariant.name(),
+                        Component.Layer.LOGIC,
+                        false,
+                        false,
+                        c.profile(),
+                        c.queueCapacity(),
+                        c.cycle(),
+                        List.of(),
+                        List.of(),
+                        ports,
+                        new Component.Atomic(List.of(automaton)),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        invariant.span());
+        return Promise.of(silent, List.of());
     }
 
     private Expression number(long value) {

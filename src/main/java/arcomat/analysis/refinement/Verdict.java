@@ -40,7 +40,7 @@ public record Verdict(
     private static final int MOST_NAMED = 5;
 
     private static final String PROVED =
-            "proved symbolically: an inductive invariant of %d clauses, verified;"
+            "proved symbolically: an inductive invariant of %s, verified;"
                     + " not all pairs were explored";
 
     /** Whether a question is answered with yes, no, or not at all. */
@@ -136,7 +136,14 @@ public record Verdict(
                             + (others > 0 ? " and %d more".formatted(others) : ""));
         }
         all.addAll(search.equalParts());
-        search.invariant().ifPresent(clauses -> all.add(PROVED.formatted(clauses)));
+        search.invariant()
+                .ifPresent(
+                        clauses ->
+                                all.add(
+                                        PROVED.formatted(
+                                                clauses == 1
+                                                        ? "one clause"
+                                                        : clauses + " clauses")));
         all.addAll(notes);
         return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
     }

@@ -28,6 +28,11 @@ public interface BesideText {
      * @param what it is, where it is a name; empty for words of the language
      */
     record Choice(String word, String what) {
+        /** Whether it is a word of the language. */
+        public boolean isWord() {
+            return what.isEmpty();
+        }
+
         /** Words of the language. */
         public static List<Choice> words(List<String> words) {
             return words.stream().map(word -> new Choice(word, "")).toList();

@@ -22,34 +22,25 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * What a program did, slice by slice, told as a run of its model. Where a part is and what it reads
  * is seen in the code; what it does then, the model says: the first transition that is enabled, as
- * in the code.
+ * in the code. A slice of one that events drive is all that it handles in a cycle.
  */
 final class ProgramTrace {
     private final Component whole;
     private final Network network;
-    private final Set<Integer> delayed;
+    private final Signals signals;
     private final List<Network.External> between = new ArrayList<>();
     private final List<Trace.Step> steps = new ArrayList<>();
     private final List<Long> times = new ArrayList<>();
     private List<Trace.Activity> activities = new ArrayList<>();
 
-    /** Per signal the message that is visible in the slice, or null. */
-    private Value[] visible;
-
-    /** Per signal with delay the message of the next slice, or null. */
-    private Value[] registers;
-
     ProgramTrace(Component whole, Network network) {
         this.whole = whole;
         this.network = network;
-        delayed = network.delayed();
-        visible = new Value[network.signals()];
-        registers = new Value[network.signals()];
+        signals = Signals.of(network);
         for (Network.Instance each : network.instances()) {
             List<Port> ports = each.component().outputs();
             for (int i = 0; i < ports.size() && !each.path().isEmpty(); i++) {
@@ -59,7 +50,7 @@ final class ProgramTrace {
         }
     }
 
-    /** Before its first slice, a part has sent its initial output. */
+    /** Before its first step, a part has sent its initial output. */
     void start(Network.Instance part, StepRelation relation) {
         if (!relation.starts().isEmpty()) {
             send(part, relation.starts().get(0).output());
@@ -74,12 +65,11 @@ final class ProgramTrace {
     void begin(long time) {
         finish();
         times.add(time);
-        visible = registers;
-        registers = new Value[network.signals()];
+        signals.next();
     }
 
     /**
-     * A part takes its step in the slice.
+     * A part takes its step in the slice, or handles an event.
      *
      * @param nearest the transition that came nearest, where none is enabled
      */
@@ -89,12 +79,7 @@ final class ProgramTrace {
             Configuration before,
             Input input,
             Optional<Refusal> nearest) {
-        for (int i = 0; i < part.inputSignals().size(); i++) {
-            int signal = part.inputSignals().get(i);
-            if (signal != Network.UNCONNECTED) {
-                visible[signal] = input.message(i).orElse(null);
-            }
-        }
+        signals.read(part, input);
         try {
             Reaction reaction =
                     relation.firstEnabled(before, input)
@@ -109,10 +94,8 @@ final class ProgramTrace {
 
     private void send(Network.Instance part, Output output) {
         for (int i = 0; i < output.ports().size(); i++) {
-            int signal = part.outputSignals().get(i);
             if (output.ports().get(i) instanceof Sent.Messages sent) {
-                Value message = sent.values().isEmpty() ? null : sent.values().get(0);
-                (delayed.contains(signal) ? registers : visible)[signal] = message;
+                signals.send(part.outputSignals().get(i), sent.values());
             }
         }
     }
@@ -152,14 +135,13 @@ final class ProgramTrace {
     }
 
     private Letter shown(List<Network.External> ports) {
-        Map<String, Value> messages = new LinkedHashMap<>();
+        Map<String, List<Value>> messages = new LinkedHashMap<>();
         for (Network.External port : ports) {
-            Value message = port.signal() == Network.UNCONNECTED ? null : visible[port.signal()];
-            if (message != null) {
-                messages.put(port.name(), message);
+            if (port.signal() != Network.UNCONNECTED) {
+                messages.put(port.name(), signals.shown(port.signal()));
             }
         }
-        return Letter.of(messages);
+        return new Letter(messages);
     }
 
     /** The run so far. */

@@ -26,15 +26,22 @@ import java.util.Optional;
 /**
  * What the parts of one robot's program do while it runs, and why no transition of theirs is
  * enabled: at the beginning of each of their steps the fields of the generated code say where they
- * are, and the model says what that means. Parts with several automata are left out, and those that
- * handle events.
+ * are, and the model says what that means. Events are handled one by one, and a step is that of one
+ * event. Parts with several automata are left out.
  */
 public final class Refusing {
-    private static final String STEP = "step";
-
     private final CodeLayout layout;
     private final Component whole;
-    private final String type;
+
+    /** Where the objects of the program are there. */
+    private final Probe first;
+
+    /** Where a cycle begins. */
+    private final Probe turn;
+
+    /** The method in which a part takes a step. */
+    private final String step;
+
     private final List<Network.Instance> instances;
     private final ProgramTrace trace;
     private final Map<Object, Part> parts = new IdentityHashMap<>();
@@ -64,7 +71,17 @@ public final class Refusing {
     private Refusing(CodeLayout layout, Component whole) {
         this.layout = layout;
         this.whole = whole;
-        this.type = place(layout, whole).className();
+        String type = place(layout, whole).className();
+        if (whole.profile() == Component.Profile.EVENT_DRIVEN) {
+            String program = Objects.requireNonNull(layout.programs().get(whole.qualifiedName()));
+            first = new Probe(type, "start");
+            turn = new Probe(program, "slice");
+            step = "handle";
+        } else {
+            first = new Probe(type, "step");
+            turn = first;
+            step = first.method();
+        }
         Network network = Network.of(whole, List.of());
         this.trace = new ProgramTrace(whole, network);
         this.instances =
@@ -85,7 +102,6 @@ public final class Refusing {
 
     private static Optional<Automaton> automaton(Component component) {
         return component.platform()
-                        || component.profile() != Component.Profile.TIME_SYNCHRONOUS
                         || !(component.body() instanceof Component.Atomic body)
                         || body.automata().size() != 1
                 ? Optional.empty()
@@ -94,12 +110,11 @@ public final class Refusing {
 
     /** The same program, which tells when its parts take their steps. */
     public LoadedProgram probed(LoadedProgram program) {
-        List<String> types = new ArrayList<>(List.of(type));
-        instances.forEach(each -> types.add(place(layout, each.component()).className()));
+        List<Probe> probes = new ArrayList<>(List.of(first, turn));
+        instances.forEach(
+                each -> probes.add(new Probe(place(layout, each.component()).className(), step)));
         return LoadedProgram.forMany(
-                program.program(),
-                types.stream().distinct().map(each -> new Probe(each, STEP)).toList(),
-                List.of());
+                program.program(), probes.stream().distinct().toList(), List.of());
     }
 
     /**
@@ -108,16 +123,19 @@ public final class Refusing {
      * @param time in milliseconds
      */
     public Optional<Said> entered(long time, Object object, String method) {
-        if (!method.equals(STEP)) {
-            return Optional.empty();
+        if (isAt(first, object, method) && parts.isEmpty()) {
+            meet(object);
         }
-        if (object.getClass().getName().equals(type)) {
-            if (parts.isEmpty()) {
-                meet(object);
-            }
+        if (isAt(turn, object, method)) {
             trace.begin(time);
         }
-        return Optional.ofNullable(parts.get(object)).map(this::step);
+        return method.equals(step)
+                ? Optional.ofNullable(parts.get(object)).map(this::step)
+                : Optional.empty();
+    }
+
+    private static boolean isAt(Probe probe, Object object, String method) {
+        return probe.method().equals(method) && object.getClass().getName().equals(probe.type());
     }
 
     private Said step(Part part) {

@@ -2,36 +2,49 @@ package arcomat.pipeline.world;
 
 import arcomat.pipeline.beside.BesideText;
 import arcomat.pipeline.beside.BesideText.Choice;
-import arcomat.pipeline.beside.TextsAround;
-import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.world.WorldParameter;
 import arcomat.world.WorldParser;
 
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Predicate;
-import java.util.regex.MatchResult;
+import java.util.Set;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/**
- * What may stand at a place of a world.
- *
- * @param place of the file, absolute
- */
-record WorldChoices(SourceFile text, Path place, TextsAround around) {
+/** What may stand at a place of a world; a browser can ask, too. */
+public record WorldChoices(SourceFile text, Programs programs) {
     private static final Pattern KIND = Pattern.compile("(?m)^\\s*kind\\s+(\\S+)");
 
     /** Behind the name of a component, in the rest of its line. */
     private static final Pattern FOLDER = Pattern.compile("^\\S*\\s+in\\s+(\\S+)");
 
-    List<Choice> at(int offset) {
+    /** The models of which programs can be made. */
+    public interface Programs {
+        /**
+         * Components that are to be deployed.
+         *
+         * @param folder of models, as a line of the world has it; empty for all that are known
+         */
+        Stream<String> components(Optional<String> folder);
+
+        /** The folders of models that have such a component, as the world would name them. */
+        List<String> folders(String component);
+    }
+
+    /** Components of which programs are made: those that are to be deployed. */
+    public static Stream<String> deployed(Workspace models) {
+        return models.topLevelComponents().stream()
+                .filter(each -> each.signature().isDeploy())
+                .map(ComponentSymbol::qualifiedName);
+    }
+
+    /** As {@link BesideText#choices}. */
+    public List<Choice> at(int offset) {
         SourceFile before = BesideText.before(text, offset);
         List<String> line = BesideText.lastLine(before);
         List<Choice> words = Choice.words(WorldParser.choicesAfter(before));
@@ -59,11 +72,12 @@ record WorldChoices(SourceFile text, Path place, TextsAround around) {
     }
 
     private List<Choice> kinds() {
-        return KIND.matcher(text.text())
-                .results()
-                .map(found -> new Choice(found.group(1), "kind of robots"))
-                .distinct()
-                .toList();
+        Set<String> kinds = new LinkedHashSet<>();
+        Matcher found = KIND.matcher(text.text());
+        while (found.find()) {
+            kinds.add(found.group(1));
+        }
+        return kinds.stream().map(kind -> new Choice(kind, "kind of robots")).toList();
     }
 
     private List<Choice> parameters() {
@@ -74,49 +88,22 @@ record WorldChoices(SourceFile text, Path place, TextsAround around) {
         return new Choice("$" + parameter.name(), "parameter, usually " + parameter.usual());
     }
 
-    /** Programs are made of those that are to be deployed. */
     private List<Choice> components(int start) {
+        Matcher found = FOLDER.matcher(text.text().substring(start));
+        Optional<String> folder = found.find() ? Optional.of(found.group(1)) : Optional.empty();
         Stream<Choice> components =
-                modelsFor(start).stream()
-                        .flatMap(models -> deployed(models, name -> true))
+                programs.components(folder)
                         .distinct()
                         .sorted()
                         .map(name -> new Choice(name, "component"));
         return Stream.concat(components, parameters().stream()).toList();
     }
 
-    /** Of the folder that the line names, if it does; else of whatever is known. */
-    private Collection<OpenModels> modelsFor(int start) {
-        Optional<MatchResult> folder =
-                FOLDER.matcher(text.text().substring(start)).results().findFirst();
-        return folder.isPresent()
-                ? around.models(folder().resolve(folder.get().group(1)).normalize()).stream()
-                        .toList()
-                : around.all();
-    }
-
-    private static Stream<String> deployed(OpenModels models, Predicate<String> wanted) {
-        return models.workspace().topLevelComponents().stream()
-                .filter(each -> each.signature().isDeploy())
-                .map(ComponentSymbol::qualifiedName)
-                .filter(wanted);
-    }
-
     private List<Choice> folders(List<String> line) {
-        if (line.size() != 4 || !line.get(3).equals("in")) {
-            return List.of();
-        }
-        List<Choice> folders = new ArrayList<>();
-        for (OpenModels models : around.all()) {
-            if (deployed(models, line.get(2)::equals).findAny().isPresent()) {
-                String path = folder().relativize(models.root()).toString().replace('\\', '/');
-                folders.add(new Choice(path.isEmpty() ? "." : path, "folder of models"));
-            }
-        }
-        return folders;
-    }
-
-    private Path folder() {
-        return Objects.requireNonNull(place.getParent());
+        return line.size() == 4 && line.get(3).equals("in")
+                ? programs.folders(line.get(2)).stream()
+                        .map(folder -> new Choice(folder, "folder of models"))
+                        .toList()
+                : List.of();
     }
 }

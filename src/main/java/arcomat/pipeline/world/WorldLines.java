@@ -111,6 +111,7 @@ public record WorldLines(SourceFile text, Path place, TextsAround around) implem
 
     @Override
     public List<Choice> choices(int offset) {
-        return new WorldChoices(text, place, around).at(offset);
+        Path folder = Objects.requireNonNull(place.getParent());
+        return new WorldChoices(text, new ProgramsBeside(folder, around)).at(offset);
     }
 }

@@ -17,6 +17,7 @@ public final class GalleryPage {
             List.of(
                     "picture/wires.js",
                     "picture/folds.js",
+                    "picture/shrinking.js",
                     "picture/finder.js",
                     "picture/legend.js",
                     "picture/viewer.js",

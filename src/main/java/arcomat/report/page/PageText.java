@@ -22,6 +22,7 @@ public final class PageText {
                     "moment.js",
                     "picture/wires.js",
                     "picture/folds.js",
+                    "picture/shrinking.js",
                     "picture/finder.js",
                     "picture/legend.js",
                     "picture/viewer.js",

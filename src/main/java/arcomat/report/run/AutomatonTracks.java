@@ -2,18 +2,20 @@ package arcomat.report.run;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Refusal;
 import arcomat.model.Trace;
 import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
-
-import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What one automaton does in a run, step by step. Where it is asked for nothing, it stays. */
 final class AutomatonTracks {
@@ -31,11 +33,11 @@ final class AutomatonTracks {
     private final Track.Builder nearest;
     private final Map<String, Track.Builder> variables = new LinkedHashMap<>();
     private final Map<String, String> values = new LinkedHashMap<>();
-    private String where = "";
+    private String where;
 
     /**
      * @param named empty for the sole automaton of the component that runs
-     * @param activity one that the automaton did
+     * @param activity the first that the automaton did; until then it is where that finds it
      */
     AutomatonTracks(String named, Component whole, Trace.Activity activity) {
         instance = activity.instance();
@@ -51,37 +53,49 @@ final class AutomatonTracks {
         state = new Track.Builder(group, name, Kind.STATE);
         reason = new Track.Builder(group, name + " because", Kind.REASON);
         nearest = new Track.Builder(group, name + " why not", Kind.REASON);
+        where = activity.before();
     }
 
     /** A step before all others, in which the automaton is where it begins. */
-    void begin(Trace.Activity first) {
-        where = first.before();
+    void begin() {
         state.add(where, elements(where));
         reason.addNothing();
     }
 
     /**
-     * @param activity null where it did nothing
+     * @param activities what it did in a step, one after the other: several where events drive it
      */
-    void add(Trace.@Nullable Activity activity) {
+    void add(List<Trace.Activity> activities) {
         int step = state.steps();
-        if (activity == null) {
+        if (step == 0) {
+            state.startingAs(where);
+        }
+        if (activities.isEmpty()) {
             reason.addNothing();
         } else {
-            if (where.isEmpty()) {
-                state.startingAs(activity.before());
+            because(activities);
+            String refusals =
+                    inTurn(activities, each -> each.nearest().stream().map(Refusal::words));
+            if (!refusals.isEmpty()) {
+                nearest.silentUntil(step).add(refusals);
             }
-            where = activity.after();
-            reason.add(CauseText.of(activity.cause()), elements(activity.cause()));
-            activity.nearest().ifPresent(each -> nearest.silentUntil(step).add(each.words()));
-            activity.variables().forEach((key, value) -> values.put(key, value.toString()));
+            Trace.Activity last = activities.get(activities.size() - 1);
+            where = last.after();
+            last.variables().forEach((key, value) -> values.put(key, value.toString()));
         }
-        if (where.isEmpty()) {
-            state.addNothing();
-        } else {
-            state.add(where, elements(where));
-        }
+        state.add(where, elements(where));
         values.forEach((key, value) -> variable(key).silentUntil(step).add(value));
+    }
+
+    private void because(List<Trace.Activity> activities) {
+        reason.add(
+                inTurn(activities, each -> Stream.of(CauseText.of(each.cause()))),
+                activities.stream().flatMap(each -> elements(each.cause()).stream()).toList());
+    }
+
+    private static String inTurn(
+            List<Trace.Activity> activities, Function<Trace.Activity, Stream<String>> words) {
+        return activities.stream().flatMap(words).collect(Collectors.joining("; then "));
     }
 
     private Track.Builder variable(String variable) {

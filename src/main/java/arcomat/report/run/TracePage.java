@@ -1,5 +1,6 @@
 package arcomat.report.run;
 
+import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.page.Page;
@@ -73,14 +74,21 @@ public final class TracePage {
     }
 
     /**
-     * A run with nothing to be said about it but what it did.
+     * What a robot's program did, with nothing to be said about it but that. Where events drive it,
+     * a step is all that it handles in a cycle.
      *
      * @param times of its steps, in milliseconds
      */
     public static Story story(String title, Trace trace, List<Long> times, RunDrawings pictures) {
         TraceTracks tracks = new TraceTracks(trace);
+        boolean events = trace.component().profile() == Component.Profile.EVENT_DRIVEN;
         Timeline timeline =
-                new Timeline(tracks.unit(), tracks.length(), times, tracks.all(), List.of());
+                new Timeline(
+                        events ? "cycle" : tracks.unit(),
+                        tracks.length(),
+                        times,
+                        tracks.all(),
+                        List.of());
         return new Story(title, Tone.NEUTRAL, "", List.of(), timeline, tracks.drawings(pictures));
     }
 

@@ -1,5 +1,7 @@
 package arcomat.report.run;
 
+import static java.util.stream.Collectors.groupingBy;
+
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.report.page.Story.Drawing;
@@ -54,18 +56,20 @@ public final class TraceTracks {
                             AutomatonTracks tracks =
                                     new AutomatonTracks(name, trace.component(), activity);
                             if (begun) {
-                                tracks.begin(activity);
+                                tracks.begin();
                             }
                             return tracks;
                         });
             }
         }
         for (Trace.Step step : trace.steps().subList(begun ? 1 : 0, trace.steps().size())) {
-            Map<String, Trace.Activity> activities = TraceColumns.activities(step);
-            automata.forEach((name, tracks) -> tracks.add(activities.get(name)));
+            Map<String, List<Trace.Activity>> activities =
+                    step.activities().stream().collect(groupingBy(TraceColumns::nameOf));
+            automata.forEach(
+                    (name, tracks) -> tracks.add(activities.getOrDefault(name, List.of())));
         }
         for (int step = trace.steps().size(); step < length(); step++) {
-            automata.values().forEach(tracks -> tracks.add(null));
+            automata.values().forEach(tracks -> tracks.add(List.of()));
         }
         parts = new PartTracks(trace, told);
     }

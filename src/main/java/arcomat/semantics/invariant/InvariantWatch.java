@@ -14,12 +14,17 @@ import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.expression.Conjunction;
+import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.invariant.WatchedComponent.Observer;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * An observer of a component that judges an invariant in every slice: a part without delay that
@@ -42,6 +47,7 @@ public final class InvariantWatch {
     private final Component watched;
     private final Invariant invariant;
     private final Map<String, Seen> seen = new LinkedHashMap<>();
+    private final Expression condition;
     private final Component observer;
 
     /** What the observer looks at, each on an input of its own. */
@@ -68,8 +74,8 @@ public final class InvariantWatch {
     public InvariantWatch(Component watched, Invariant invariant) {
         this.watched = watched;
         this.invariant = invariant;
-        Expression condition = invariant.condition().rewritten(e -> e.match(new AsSeen()));
-        this.observer = observer(condition);
+        this.condition = invariant.condition().rewritten(e -> e.match(new AsSeen()));
+        this.observer = observer("", condition, seen());
     }
 
     /** What the observer asks instead of what the invariant asks. */
@@ -162,9 +168,12 @@ public final class InvariantWatch {
                 binary.span());
     }
 
-    private Component observer(Expression condition) {
+    /**
+     * @param mark behind its name, and that of its output
+     */
+    private Component observer(String mark, Expression condition, List<Seen> seen) {
         List<Port> ports = new ArrayList<>();
-        seen.values().forEach(each -> ports.add(each.input()));
+        seen.forEach(each -> ports.add(each.input()));
         condition.visit(
                 e -> {
                     if (e instanceof Expression.PortRead read
@@ -174,10 +183,17 @@ public final class InvariantWatch {
                     }
                 });
         Port broken =
-                new Port(BROKEN, Port.Direction.OUT, BOOLEAN, false, 0, false, invariant.span());
+                new Port(
+                        BROKEN + mark,
+                        Port.Direction.OUT,
+                        BOOLEAN,
+                        false,
+                        0,
+                        false,
+                        invariant.span());
         ports.add(broken);
         return watched.like(
-                "invariant " + invariant.name(),
+                "invariant " + invariant.name() + mark,
                 ports,
                 new Component.Atomic(List.of(judge(condition, broken))),
                 watched.span());
@@ -227,7 +243,32 @@ public final class InvariantWatch {
 
     /** The component with its observer: the same ports, and {@link #BROKEN}. */
     public Component together() {
-        return new WatchedComponent(watched, invariant, observer, seen()).together();
+        return new WatchedComponent(watched, invariant, List.of(new Observer(observer, seen())))
+                .together();
+    }
+
+    /**
+     * The component with an observer for each part of the conjunction that looks at ports of its
+     * own: none of them ever speaks if and only if the observer of {@link #together} never does,
+     * and each looks at little. A conjunction is true where all of its parts are, else not.
+     */
+    public Component apart() {
+        Map<List<Seen>, Expression> conditions = new LinkedHashMap<>();
+        for (Expression each : Conjunction.parts(condition)) {
+            conditions.merge(seenIn(each), each, Formulas::and);
+        }
+        List<Observer> observers = new ArrayList<>();
+        conditions.forEach(
+                (some, each) -> {
+                    String mark = " " + observers.size();
+                    observers.add(new Observer(observer(mark, each, some), some));
+                });
+        return new WatchedComponent(watched, invariant, observers).together();
+    }
+
+    private List<Seen> seenIn(Expression part) {
+        Set<String> names = part.ports().stream().map(Port::name).collect(Collectors.toSet());
+        return seen().stream().filter(each -> names.contains(each.input().name())).toList();
     }
 
     /** The name of the observer among the parts. */

@@ -8,30 +8,47 @@ import arcomat.model.Port;
 import arcomat.semantics.invariant.InvariantWatch.Seen;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * A component beside an observer that sees its ports, and its variables after each step. The parts
- * of a composition become neighbours of the observer; a component without parts is one itself.
+ * A component beside observers that see its ports, and its variables after each step. The parts of
+ * a composition become neighbours of the observers; a component without parts is one itself.
  */
 final class WatchedComponent {
     private final Component watched;
     private final Invariant invariant;
-    private final Component observer;
-    private final List<Seen> seen;
+    private final List<Observer> observers;
 
-    WatchedComponent(Component watched, Invariant invariant, Component observer, List<Seen> seen) {
+    /**
+     * A part that looks on.
+     *
+     * @param component with one output
+     * @param seen what its inputs are
+     */
+    record Observer(Component component, List<Seen> seen) {
+        Observer {
+            seen = List.copyOf(seen);
+        }
+
+        Port broken() {
+            return component.outputs().get(0);
+        }
+    }
+
+    WatchedComponent(Component watched, Invariant invariant, List<Observer> observers) {
         this.watched = watched;
         this.invariant = invariant;
-        this.observer = observer;
-        this.seen = seen;
+        this.observers = List.copyOf(observers);
     }
 
     Component together() {
         List<Port> ports = new ArrayList<>(watched.ports());
-        ports.add(observer.outputs().get(0));
+        observers.forEach(each -> ports.add(each.broken()));
         return watched.like(watched.name(), ports, body(), watched.span());
     }
 
@@ -55,19 +72,25 @@ final class WatchedComponent {
             }
             sender = output -> Optional.of(inside(inside, output));
         }
-        parts.add(part(observer.name(), observer));
-        for (Seen each : seen) {
-            source(each, sender)
-                    .ifPresent(
-                            source ->
-                                    connect(
-                                            source,
-                                            inside(observer.name(), each.input().name()),
-                                            connections));
+        for (Observer observer : observers) {
+            add(observer, sender, parts, connections);
         }
-        String broken = observer.outputs().get(0).name();
-        connect(inside(observer.name(), broken), outside(broken), connections);
         return new Component.Composite(parts, connections);
+    }
+
+    private void add(
+            Observer observer,
+            Function<String, Optional<Endpoint>> sender,
+            List<Component.Part> parts,
+            List<Component.Connection> connections) {
+        String name = observer.component().name();
+        parts.add(part(name, observer.component()));
+        for (Seen each : observer.seen()) {
+            Endpoint target = inside(name, each.input().name());
+            source(each, sender).ifPresent(source -> connect(source, target, connections));
+        }
+        String broken = observer.broken().name();
+        connect(inside(name, broken), outside(broken), connections);
     }
 
     private Optional<Endpoint> source(Seen each, Function<String, Optional<Endpoint>> sender) {
@@ -97,27 +120,34 @@ final class WatchedComponent {
     private Component withVariables(Component.Atomic body) {
         List<Port> ports = new ArrayList<>(watched.ports());
         List<Component.Shown> shown = new ArrayList<>();
-        for (Seen each : seen) {
-            if (each instanceof InvariantWatch.SeenVariable variable) {
-                String window = window(variable.input().name());
-                Port input = variable.input();
-                ports.add(
-                        new Port(
-                                window,
-                                Port.Direction.OUT,
-                                input.type(),
-                                true,
-                                0,
-                                false,
-                                input.span()));
-                shown.add(new Component.Shown(variable.input().name(), window));
-            }
+        for (Port input : seenVariables()) {
+            String window = window(input.name());
+            ports.add(
+                    new Port(
+                            window,
+                            Port.Direction.OUT,
+                            input.type(),
+                            true,
+                            0,
+                            false,
+                            input.span()));
+            shown.add(new Component.Shown(input.name(), window));
         }
         return watched.like(
                 watched.name(),
                 ports,
                 new Component.Atomic(body.automata(), shown),
                 watched.span());
+    }
+
+    /** Inputs of observers that are variables, those of one name once. */
+    private Collection<Port> seenVariables() {
+        Map<String, Port> inputs = new LinkedHashMap<>();
+        observers.stream()
+                .flatMap(observer -> observer.seen().stream())
+                .filter(InvariantWatch.SeenVariable.class::isInstance)
+                .forEach(each -> inputs.putIfAbsent(each.input().name(), each.input()));
+        return inputs.values();
     }
 
     /** A part with the arguments of the whole. */

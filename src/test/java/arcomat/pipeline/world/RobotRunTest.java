@@ -1,9 +1,15 @@
 package arcomat.pipeline.world;
 
+import static arcomat.report.ShownTracks.texts;
+import static arcomat.report.ShownTracks.track;
+
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Trace;
+import arcomat.report.page.Story;
 import arcomat.report.run.RobotRun;
+import arcomat.report.run.RunDrawings;
+import arcomat.report.run.TracePage;
 import arcomat.report.world.PacketWords;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
@@ -14,14 +20,20 @@ import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.Test;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** What goes on inside of robots, as the page of a world tells it, is what their models do. */
 class RobotRunTest {
+    /** Its wheels are told by events what its bumper and its eye say by events. */
+    private static final String BUMPS = "src/test/resources/world/bumps/bumps.world";
+
     private static List<RobotRun> inside(String world) throws Exception {
-        return Shipped.world(world)
-                .explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK)
-                .inside();
+        return inside(Shipped.world(world));
+    }
+
+    private static List<RobotRun> inside(PreparedWorld world) {
+        return world.explain(Seeds.of(1), Laboratory.PATIENCE, Limits.OF_THE_BRICK).inside();
     }
 
     @Test
@@ -39,6 +51,35 @@ class RobotRunTest {
                 .containsExactlyInAnyOrder("courier", "dispenser", "preparer");
         inside.forEach(RobotRunTest::isWhatItsModelDoes);
         packetsAreToldByTheirConstants(PacketWords.of(inside));
+    }
+
+    @Test
+    void theInterpreterDoesTheSameWhereEventsDriveARobot() throws Exception {
+        RobotRun rover = inside(Shipped.at(BUMPS)).get(0);
+        isWhatItsModelDoes(rover);
+        Story story = TracePage.story("", rover.trace(), rover.times(), new RunDrawings());
+        assertThat(story.timeline().unit()).isEqualTo("cycle");
+        assertThat(changes(story, "mind"))
+                .containsExactly("driving", "backing", "driving", "standing");
+        assertThat(changes(story, "mind.speed"))
+                .containsExactly("360", "-", "-360", "-", "360", "-", "-360, 0", "-");
+        assertThat(changes(story, "counter.bumps")).containsExactly("-", "1", "2", "3");
+        assertThat(texts(track(story, "mind because")))
+                .as("both transitions of one cycle")
+                .anyMatch(each -> each.matches(".*speed = -360.*; then .*speed = 0.*"));
+        assertThat(story.drawings())
+                .extracting(Story.Drawing::title)
+                .containsExactlyInAnyOrder("p.Rover", "counter", "mind");
+    }
+
+    private static List<String> changes(Story story, String name) {
+        List<String> changes = new ArrayList<>();
+        for (String each : texts(track(story, name))) {
+            if (changes.isEmpty() || !changes.get(changes.size() - 1).equals(each)) {
+                changes.add(each);
+            }
+        }
+        return changes;
     }
 
     private static void isWhatItsModelDoes(RobotRun run) {

@@ -19,9 +19,13 @@ final class Shipped {
     private Shipped() {}
 
     static PreparedWorld world(String name) throws WrongUse {
+        return at(FOLDER + name);
+    }
+
+    /** Any other one. */
+    static PreparedWorld at(String path) throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
-        PreparedWorld world =
-                new Session(names, Progress.NONE).run(new PrepareWorld(FOLDER + name, false));
+        PreparedWorld world = new Session(names, Progress.NONE).run(new PrepareWorld(path, false));
         assertThat(world.findings()).isEmpty();
         return world;
     }

@@ -36,7 +36,7 @@ import java.util.regex.Pattern;
 
 /** Chromium without a window, with the driver that comes along. */
 public final class Browser implements AutoCloseable {
-    private static final Duration PATIENCE = Duration.ofSeconds(20);
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     private static final Duration PAUSE = Duration.ofMillis(20);
 

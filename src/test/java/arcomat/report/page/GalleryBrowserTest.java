@@ -1,6 +1,7 @@
 package arcomat.report.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
@@ -72,6 +73,7 @@ class GalleryBrowserTest extends BrowserTest {
         tests.put("all of a part lights up", this::aPartLightsUp);
         tests.put("ways that are joined light up", this::joinedWaysLightUp);
         tests.put("parts are closed and opened", this::partsAreClosed);
+        tests.put("what is closed shrinks", this::whatIsClosedShrinks);
         tests.put("keys make it larger and move it", this::keysMakeItLarger);
         tests.put("a click leaves the keys to the page", this::aClickLeavesTheKeys);
         tests.put("texts are found", this::textsAreFound);
@@ -162,9 +164,57 @@ class GalleryBrowserTest extends BrowserTest {
         assertThat(isSeen("#Nest [data-connector=\"outer.second.b -> b\"]")).isFalse();
         assertThat(isSeen("#Nest [data-port=\"outer.a\"]")).isTrue();
         assertThat(isSeen("#Nest [data-part=\"last\"]")).isTrue();
+        browser.picture("gallery-closed");
         browser.find("#Nest [data-do=fold]").click();
         assertThat(isSeen("#Nest [data-part=\"outer.first\"]")).isTrue();
         assertThat(browser.find("#Door [data-do=fold]").isDisplayed()).isFalse();
+    }
+
+    /** Wires that are seen and do not begin or end at their ports. */
+    private static final String LOOSE =
+            """
+            const box = (port) => document.querySelector(`#Nest [data-port="${port}"] rect`).getBBox();
+            const isAt = (place, port) => {
+              const { x, y, width, height } = box(port);
+              return [x, x + width].some((side) => Math.abs(place.x - side) < 1) && place.y > y && place.y < y + height;
+            };
+            return [...document.querySelectorAll("#Nest .connector:not(.hidden-inside)")]
+              .filter((wire) => {
+                const [head] = wire.querySelector("polygon").points;
+                return !isAt(wire.querySelector("path").getPointAtLength(0), wire.dataset.from) || !isAt(head, wire.dataset.to);
+              })
+              .map((wire) => wire.dataset.connector);
+            """;
+
+    private static final String EXTENT =
+            """
+            const { width, height } = document.querySelector("#Nest svg").viewBox.baseVal;
+            const box = document.querySelector("#Nest [data-part=outer] rect");
+            return [width, height, box.getAttribute("width"), box.getAttribute("height")].map(Number);
+            """;
+
+    /** As small as the other one, which has nothing inside to show, and the whole by as much. */
+    private void whatIsClosedShrinks() throws Exception {
+        open();
+        List<?> open = (List<?>) browser.run(EXTENT);
+        browser.find("#Nest [data-do=fold]").click();
+        List<?> closed = (List<?>) browser.run(EXTENT);
+        double width =
+                Double.parseDouble(
+                        browser.find("#Nest [data-part=last] rect").getDomAttribute("width"));
+        assertThat(number(closed, 2)).isBetween(width - 10, width + 10);
+        assertThat(number(closed, 3)).isEqualTo(70);
+        assertThat(number(open, 0) - number(closed, 0))
+                .as("the columns that are empty now, but for a gap")
+                .isCloseTo(number(open, 2) - number(closed, 2) - 10, within(5.0));
+        assertThat((List<?>) browser.run(LOOSE)).isEmpty();
+        browser.find("#Nest [data-do=fold]").click();
+        assertThat((List<?>) browser.run(EXTENT)).as("as it was").isEqualTo(open);
+        assertThat((List<?>) browser.run(LOOSE)).isEmpty();
+    }
+
+    private static double number(List<?> numbers, int which) {
+        return ((Number) numbers.get(which)).doubleValue();
     }
 
     private boolean isSeen(String selector) {

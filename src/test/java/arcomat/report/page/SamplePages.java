@@ -65,6 +65,34 @@ final class SamplePages {
 
     /** A part that sends, with a part inside, and a picture of its wire. */
     static Page parts() {
+        String svg =
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
+                    + " height=\"40\" viewBox=\"0 0 80 40\"><g class=\"port\""
+                    + " data-port=\"a.o\"><rect x=\"10\" y=\"25\" width=\"6\" height=\"6\"/></g><g"
+                    + " class=\"connector\" data-connector=\"a.o -> c.i\"><path d=\"M16,28"
+                    + " L60,28\"/></g></svg>";
+        return parts(svg, Map.of("a.o", "a.o"));
+    }
+
+    /** The same with what is inside of part a. */
+    static Page nestedParts() {
+        String svg =
+                """
+                <svg xmlns="http://www.w3.org/2000/svg" class="arcomat" width="400" height="100" viewBox="0 0 400 100">
+                <g class="part" data-part="a"><rect x="10" y="5" width="290" height="90"/></g>
+                <g class="part" data-part="a.b"><rect x="20" y="30" width="80" height="60"/></g>
+                <g class="port" data-port="a.b.o"><rect x="97" y="57" width="6" height="6"/></g>
+                <g class="connector" data-connector="a.b.o -> o" data-in="a" data-from="a.b.o" data-to="a.o"><path d="M103,60 L297,60"/></g>
+                <g class="port" data-port="a.o"><rect x="297" y="57" width="6" height="6"/></g>
+                <g class="part" data-part="c"><rect x="350" y="30" width="40" height="60"/></g>
+                <g class="port" data-port="c.i"><rect x="347" y="57" width="6" height="6"/></g>
+                <g class="connector" data-connector="a.o -> c.i" data-in="" data-from="a.o" data-to="c.i"><path d="M303,60 L347,60"/></g>
+                </svg>
+                """;
+        return parts(svg, Map.of("a.o", "a.o", "a.b.o", "a.b.o"));
+    }
+
+    private static Page parts(String svg, Map<String, String> carried) {
         List<Track> tracks =
                 List.of(
                         Track.of("inputs", "i", Track.Kind.PORT, Stream.of("a", "", "c", "")),
@@ -73,13 +101,7 @@ final class SamplePages {
                         Track.of("part a", "a", Track.Kind.STATE, Stream.of("s", "s", "t", "t")),
                         Track.of("part a.b", "a.b.o", Track.Kind.PORT, Stream.of("1", "", "", "")),
                         Track.of("part c", "c.o", Track.Kind.PORT, Stream.of("2", "", "", "")));
-        String svg =
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
-                    + " height=\"40\" viewBox=\"0 0 80 40\"><g class=\"port\""
-                    + " data-port=\"a.o\"><rect x=\"10\" y=\"25\" width=\"6\" height=\"6\"/></g><g"
-                    + " class=\"connector\" data-connector=\"a.o -> c.i\"><path d=\"M16,28"
-                    + " L60,28\"/></g></svg>";
-        Drawing drawing = new Drawing("p.Whole", svg, List.of(), Map.of("a.o", "a.o"));
+        Drawing drawing = new Drawing("p.Whole", svg, List.of(), carried);
         Timeline timeline = new Timeline("slice", 4, List.of(), tracks, List.of());
         Story story = new Story("", Tone.NEUTRAL, "", List.of(), timeline, List.of(drawing));
         return new Page("simulate", "p.Whole", Tone.NEUTRAL, "4 slices", List.of(story));

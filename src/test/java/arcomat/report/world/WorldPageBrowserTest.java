@@ -64,9 +64,29 @@ class WorldPageBrowserTest extends BrowserTest {
         aGhostIsShown(session, run);
     }
 
-    /** Paper says which moment it shows, and has nothing to be pressed. */
+    /** Of each row that is no curve, how many boxes of values there are more than texts. */
+    private static final String WORDLESS_BOXES =
+            """
+            const rows = [...document.querySelectorAll(".piece .row")];
+            const count = (lane) => [...lane.querySelectorAll("path.run")].reduce((sum, path) => sum + path.getAttribute("d").split("M").length - 1, lane.querySelectorAll("rect.run").length);
+            return rows.flatMap((row, index) => {
+              const lane = row.querySelector(".lane");
+              if (lane === null || lane.querySelector(".curve, .band") !== null) {
+                return [];
+              }
+              const below = rows[index + 1]?.querySelectorAll(".told span") ?? [];
+              const missing = count(lane) - lane.querySelectorAll("text").length - below.length;
+              return missing === 0 ? [] : [row.querySelector(".name").textContent + ": " + missing];
+            });
+            """;
+
+    /** Paper says which moment it shows, what each message is, and has nothing to be pressed. */
     private void isPrinted() {
+        browser.run("window.dispatchEvent(new Event('beforeprint'))");
         browser.print();
+        assertThat(browser.findAll(".piece .lane path.run")).as("short ones").isNotEmpty();
+        assertThat(browser.findAll(".piece .told span")).isNotEmpty();
+        assertThat((List<?>) browser.run(WORDLESS_BOXES)).isEmpty();
         assertThat(browser.find("#clock").isDisplayed()).isTrue();
         assertThat(browser.findAll("#player button, #player input, .card button"))
                 .isNotEmpty()

@@ -30,7 +30,8 @@ public final class CompositionsGroup implements Group {
                     "philosophers 10",
                     "philosophers 12",
                     "queues 9",
-                    "tokens 12");
+                    "tokens 12",
+                    "tokens 40");
 
     private static final String TOGETHER = " with both engines";
     private static final String LARGEST = "philosophers 12";

@@ -32,9 +32,6 @@ import java.util.stream.IntStream;
  * signals that it sends; the last one is a mark, for who keeps a configuration with something else.
  */
 public final class PackedNetwork {
-    /** More parts than that are told apart too seldom for their bits to be found one by one. */
-    private static final int MOST_PARTS = 500;
-
     /** Any odd number with many bits. */
     private static final long DIGEST = 0x9E3779B97F4A7C15L;
 
@@ -96,8 +93,8 @@ public final class PackedNetwork {
             List<EqualParts> equal,
             Runnable between,
             Predicate<Shortcut> takes) {
-        if (behaviours.isEmpty() || behaviours.size() > MOST_PARTS) {
-            throw new CannotPack("no parts, or too many");
+        if (behaviours.isEmpty()) {
+            throw new CannotPack("no parts");
         }
         this.network = network;
         this.observed = IntStream.of(observed).distinct().toArray();

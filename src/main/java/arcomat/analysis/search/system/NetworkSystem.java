@@ -49,6 +49,9 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
      */
     public record Smaller(NetworkSystem system, SmallerNetwork network) {}
 
+    /** More parts than that are told apart too seldom for their bits to be found one by one. */
+    private static final int MOST_PACKED = 500;
+
     private final Network network;
     private final List<String> compared;
     private final Budget budget;
@@ -145,6 +148,9 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
 
     /** Its network in numbers, from which this system's configurations can be told. */
     public PackedNetwork packed() {
+        if (unfolding.behaviours().size() > MOST_PACKED) {
+            throw new PackedNetwork.CannotPack("too many parts");
+        }
         return new PackedNetwork(
                 network,
                 unfolding.behaviours(),

@@ -2,10 +2,7 @@ package arcomat.editor.answer.completion;
 
 import arcomat.pipeline.beside.BesideText.Choice;
 
-import org.eclipse.lsp4j.CompletionItem;
-
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * A piece of a world, a campaign or a script to be filled in.
@@ -101,12 +98,12 @@ record LineSkeleton(String ending, Skeleton skeleton) {
      * @param isAlone whether nothing else stands in the text
      * @param choices words that may stand there
      */
-    static Stream<CompletionItem> fitting(String path, boolean isAlone, List<Choice> choices) {
+    static List<Skeleton> fitting(String path, boolean isAlone, List<Choice> choices) {
         List<String> words = choices.stream().map(Choice::word).toList();
         return ALL.stream()
                 .filter(each -> path.endsWith(each.ending()))
                 .map(LineSkeleton::skeleton)
                 .filter(each -> each.word().isEmpty() ? isAlone : words.contains(each.word()))
-                .map(CompletionItems::piece);
+                .toList();
     }
 }

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /** Reads one thing of a world at a moment. */
@@ -32,6 +33,11 @@ interface Gauge {
 
     String CUPS = "cups";
 
+    /** Of a thing, in mm. */
+    String X = "x";
+
+    String Y = "y";
+
     double MILLISECONDS = 1000;
 
     /** Null where there is nothing to read. */
@@ -43,7 +49,7 @@ interface Gauge {
     /**
      * The gauge of what an expression names.
      *
-     * @param name of a robot or a drinker, a dot, and what of it; or what of the world
+     * @param name of a robot, a drinker or a thing, a dot, and what of it; or what of the world
      * @param type that the expression takes it for
      */
     static Gauge of(World world, String name, Type type) {
@@ -51,23 +57,25 @@ interface Gauge {
         if (dot < 0) {
             return ofWorld(name);
         }
-        String thing = name.substring(0, dot);
+        String owner = name.substring(0, dot);
         String property = name.substring(dot + 1);
-        return index(world.robots().stream().map(World.Robot::name).toList(), thing)
+        return index(world.robots(), World.Robot::name, owner)
                 .map(robot -> ofRobot(world, robot, property, type))
                 .or(
                         () ->
-                                index(
-                                                world.drinkers().stream()
-                                                        .map(World.Drinker::name)
-                                                        .toList(),
-                                                thing)
+                                index(world.drinkers(), World.Drinker::name, owner)
                                         .map(drinker -> ofDrinker(drinker, property)))
+                .or(
+                        () ->
+                                index(world.things(), World.Thing::name, owner)
+                                        .map(thing -> ofThing(thing, property)))
                 .orElse(NOTHING);
     }
 
-    private static Optional<Integer> index(List<String> names, String name) {
-        return Optional.of(names.indexOf(name)).filter(index -> index >= 0);
+    private static <T> Optional<Integer> index(
+            List<T> all, Function<T, String> names, String name) {
+        return Optional.of(all.stream().map(names).toList().indexOf(name))
+                .filter(index -> index >= 0);
     }
 
     private static Gauge ofWorld(String property) {
@@ -117,6 +125,18 @@ interface Gauge {
             case CUPS ->
                     (scene, instruments) ->
                             new Value.IntegerValue(scene.drinkers().get(drinker).cups());
+            default -> NOTHING;
+        };
+    }
+
+    private static Gauge ofThing(int thing, String property) {
+        return switch (property) {
+            case X ->
+                    (scene, instruments) ->
+                            new Value.RealValue(scene.things().get(thing).place().x());
+            case Y ->
+                    (scene, instruments) ->
+                            new Value.RealValue(scene.things().get(thing).place().y());
             default -> NOTHING;
         };
     }

@@ -18,8 +18,10 @@ enum RobotProperty {
     LEFT("Double", robot -> new Value.RealValue(robot.left())),
     /** Likewise. */
     RIGHT("Double", robot -> new Value.RealValue(robot.right())),
-    /** Whether it pushes against something. */
+    /** Whether it pushes against something that does not move. */
     TOUCHING("Boolean", robot -> new Value.BooleanValue(robot.touching())),
+    /** Whether it pushes a thing. */
+    PUSHING("Boolean", robot -> new Value.BooleanValue(robot.pushing())),
     /** Cups in its magazine. */
     STOCK("Integer", robot -> new Value.IntegerValue(robot.stock())),
     /** Whether its coffee machine works. */

@@ -16,10 +16,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What can be read in the worlds of a campaign, as models would declare it: each robot and each
- * drinker is an object on an input of its own. A campaign may add robots, so this is what there is
- * with the values that parameters have by themselves, and with the ends of all ranges and all
- * words, one after the other.
+ * What can be read in the worlds of a campaign, as models would declare it: each robot, each
+ * drinker and each thing is an object on an input of its own. A campaign may add robots, so this is
+ * what there is with the values that parameters have by themselves, and with the ends of all ranges
+ * and all words, one after the other.
  */
 public final class Vocabulary {
     static final String PACKAGE = "campaign";
@@ -27,8 +27,8 @@ public final class Vocabulary {
     /** Longer than the name of any brick, as all types are named like what has them. */
     private static final String CUP_TYPE = "ContentsOfAHolder";
 
-    /** By the names of robots and drinkers: types by properties. */
-    private final Map<String, Map<String, String>> things = new TreeMap<>();
+    /** By the names of robots, drinkers and things: types by properties. */
+    private final Map<String, Map<String, String>> objects = new TreeMap<>();
 
     private Vocabulary() {}
 
@@ -46,7 +46,7 @@ public final class Vocabulary {
         Stream.concat(Stream.of(Map.<String, String>of()), others)
                 .flatMap(values -> WorldParser.parse(world, values).world().stream())
                 .forEach(vocabulary::add);
-        vocabulary.things.keySet().removeIf(name -> !canBeWritten(name));
+        vocabulary.objects.keySet().removeIf(name -> !canBeWritten(name));
         return vocabulary;
     }
 
@@ -56,11 +56,11 @@ public final class Vocabulary {
 
     /** All that can be read, as it is written: {@code one.x}. */
     public List<String> readings() {
-        return things.entrySet().stream()
+        return objects.entrySet().stream()
                 .flatMap(
-                        thing ->
-                                thing.getValue().keySet().stream()
-                                        .map(property -> thing.getKey() + "." + property))
+                        object ->
+                                object.getValue().keySet().stream()
+                                        .map(property -> object.getKey() + "." + property))
                 .toList();
     }
 
@@ -80,10 +80,15 @@ public final class Vocabulary {
             properties.put(Gauge.PRESENT, "Boolean");
             properties.put(Gauge.CUPS, "Integer");
         }
+        for (World.Thing thing : world.things()) {
+            Map<String, String> properties = properties(thing.name());
+            properties.put(Gauge.X, "Double");
+            properties.put(Gauge.Y, "Double");
+        }
     }
 
-    private Map<String, String> properties(String thing) {
-        return things.computeIfAbsent(thing, name -> new TreeMap<>());
+    private Map<String, String> properties(String object) {
+        return objects.computeIfAbsent(object, name -> new TreeMap<>());
     }
 
     /** Names of bricks may have a - in them, or be words of the language. */
@@ -99,7 +104,7 @@ public final class Vocabulary {
         String cups =
                 Arrays.stream(World.Cup.values()).map(Enum::name).collect(Collectors.joining(", "));
         text.append("enum %s { %s; }\n".formatted(CUP_TYPE, cups));
-        things.forEach(
+        objects.forEach(
                 (name, properties) -> {
                     text.append("class %s {\n".formatted(name));
                     properties.forEach(
@@ -115,7 +120,7 @@ public final class Vocabulary {
         Map<String, String> all = new TreeMap<>();
         all.put(Gauge.TIME, "Double");
         all.put(Gauge.DELIVERED, "Integer");
-        things.keySet().forEach(name -> all.put(name, name));
+        objects.keySet().forEach(name -> all.put(name, name));
         all.forEach((name, type) -> ports.append("in %s %s, ".formatted(type, name)));
         return ports.toString();
     }

@@ -15,6 +15,7 @@ import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.world.Point;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Seeds;
@@ -34,16 +35,25 @@ import java.util.stream.Stream;
 /** Measures beside numbers that a test takes from the recording of the same run by itself. */
 class MeasuringTest {
     private static final String MEETING = "models/coffee/world/meeting.world";
+    private static final String PLOUGH = "src/test/resources/world/plough/plough.world";
     private static SourceFile text;
     private static World world;
     private static PreparedWorld prepared;
 
     @BeforeAll
     static void prepare() throws IOException, WrongUse {
-        text = new SourceFile(MEETING, Files.readString(Path.of(MEETING)));
+        text = text(MEETING);
         world = WorldParser.parse(text).world().orElseThrow();
+        prepared = prepared(MEETING);
+    }
+
+    private static SourceFile text(String path) throws IOException {
+        return new SourceFile(path, Files.readString(Path.of(path)));
+    }
+
+    private static PreparedWorld prepared(String path) throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
-        prepared = new Session(names, Progress.NONE).run(new PrepareWorld(MEETING, false));
+        return new Session(names, Progress.NONE).run(new PrepareWorld(path, false));
     }
 
     private static Campaign campaign(String... lines) {
@@ -57,8 +67,14 @@ class MeasuringTest {
     }
 
     private static List<Double> answers(long seed, String... lines) {
+        return answers(text, prepared, seed, lines);
+    }
+
+    private static List<Double> answers(
+            SourceFile text, PreparedWorld prepared, long seed, String... lines) {
         Measuring measuring = Measuring.of(campaign(lines), text);
         assertThat(measuring.findings()).isEmpty();
+        World world = WorldParser.parse(text).world().orElseThrow();
         Measuring.Run run = measuring.in(world).start();
         prepared.summarize(Seeds.of(seed), Laboratory.PATIENCE, Limits.OF_THE_BRICK, run);
         return run.answers();
@@ -104,6 +120,26 @@ class MeasuringTest {
         }
     }
 
+    @Test
+    void thingsAreReadWhereTheyLie() throws IOException, WrongUse {
+        PreparedWorld ploughs = prepared(PLOUGH);
+        List<Frame> frames = ploughs.run(1).frames();
+        List<Double> answers =
+                answers(
+                        text(PLOUGH),
+                        ploughs,
+                        1,
+                        "measure begin largest if time > 0.0 then 0.0 else box.x",
+                        "measure end last box.x",
+                        "measure high last box.y",
+                        "event pushes when one.pushing",
+                        "event early when one.pushing && time < 0.5",
+                        "measure none last ball.x - ball.x");
+        Point box = frames.get(frames.size() - 1).things().get(0);
+        assertThat(box.x()).as("it was pushed").isGreaterThan(700);
+        assertThat(answers).containsExactly(600.0, box.x(), box.y(), 1.0, 0.0, 0.0);
+    }
+
     private static double x(Frame frame, int robot) {
         return frame.robots().get(robot).pose().point().x();
     }
@@ -147,6 +183,7 @@ class MeasuringTest {
     @Test
     void mistakesAreFoundWhereTheyAre() {
         finds("measure gap smallest loaded.z - empty.x", "ARC0329", "z");
+        finds("measure gap smallest box.x", "ARC0329", "box.x");
         finds("measure gap smallest loadd.x", "ARC0329", "loadd.x");
         finds("measure gap smallest loaded.x -   # nothing", "ARC1136", "");
         finds("measure gap smallest loaded.display", "ARC0316", "loaded.display");
