@@ -6,7 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 
 /** A condition over variables of both sides, as it stands in a certificate. */
-record Comparison(Port variable, BinaryOperator operator, Measure measure) {
+record Comparison(Port variable, BinaryOperator operator, ComparedValue measure) {
     @SuppressWarnings("NullAway") // it stands in no model
     Expression expression() {
         return new Expression.Binary(

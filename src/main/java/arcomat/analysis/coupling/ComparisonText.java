@@ -57,15 +57,17 @@ final class ComparisonText {
         return type instanceof Type.IntegerType;
     }
 
-    private Optional<Measure> measure(String[] words, Type type) {
+    private Optional<ComparedValue> measure(String[] words, Type type) {
         boolean opposite = words[2].startsWith("-");
         Port other = variables.get(opposite ? words[2].substring(1) : words[2]);
         if (other == null) {
-            return words.length == 3 ? value(words[2], type).map(Measure::of) : Optional.empty();
+            return words.length == 3
+                    ? value(words[2], type).map(ComparedValue::of)
+                    : Optional.empty();
         }
         Optional<Long> plus = words.length == 3 ? Optional.of(0L) : plus(words[3], words[4]);
         boolean fits = isWhole(type) ? isWhole(other.type()) : type.equals(other.type());
-        return plus.map(more -> Measure.of(other, opposite, more))
+        return plus.map(more -> ComparedValue.of(other, opposite, more))
                 .filter(with -> fits && (isWhole(type) || !with.isCalculated()));
     }
 

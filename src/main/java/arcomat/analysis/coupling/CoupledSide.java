@@ -128,7 +128,7 @@ final class CoupledSide {
     }
 
     String state(int number) {
-        return number == Behaviour.CHAOS ? "chaos" : relation.automaton().states().get(number);
+        return number == PossibleStep.CHAOS ? "chaos" : relation.automaton().states().get(number);
     }
 
     /** Its number, or -1 for a name that no state has. */
@@ -142,10 +142,10 @@ final class CoupledSide {
     }
 
     /** All that it may do in a state but for errors. */
-    List<Behaviour> behaviours(int state) {
+    List<PossibleStep> behaviours(int state) {
         List<Transition> transitions = transitions(state);
         List<DataStep> steps = steps(state);
-        List<Behaviour> all = new ArrayList<>();
+        List<PossibleStep> all = new ArrayList<>();
         for (int i = 0; i < steps.size(); i++) {
             all.add(taken(transitions.get(i), steps.get(i)));
         }
@@ -190,7 +190,7 @@ final class CoupledSide {
         return Formulas.not(tried);
     }
 
-    private Behaviour taken(Transition transition, DataStep step) {
+    private PossibleStep taken(Transition transition, DataStep step) {
         Map<String, Emitted> sends = new LinkedHashMap<>();
         for (Port port : relation.component().outputs()) {
             List<Expression> values = step.sends().getOrDefault(port.name(), List.of());
@@ -206,7 +206,7 @@ final class CoupledSide {
             after.put(port(variable).name(), step.stores().get(i));
         }
         String name = relation.automaton().arrow(transition);
-        return new Behaviour(step.happens(), sends, transition.target(), after, name);
+        return new PossibleStep(step.happens(), sends, transition.target(), after, name);
     }
 
     private Port port(String variable) {
@@ -233,15 +233,15 @@ final class CoupledSide {
                 .orElse(silent ? Sent.SILENCE : Effect.anything(port));
     }
 
-    private Behaviour completed(int state, List<DataStep> steps) {
+    private PossibleStep completed(int state, List<DataStep> steps) {
         boolean ignores = completion() == Completion.IGNORE;
         Map<String, Emitted> sends = new LinkedHashMap<>();
         for (Port port : relation.component().outputs()) {
             boolean silent = ignores && owned.contains(port.name());
             sends.put(port.name(), Emitted.of(silent ? Sent.SILENCE : Effect.anything(port)));
         }
-        int target = completion() == Completion.CHAOS ? Behaviour.CHAOS : state;
-        return new Behaviour(
+        int target = completion() == Completion.CHAOS ? PossibleStep.CHAOS : state;
+        return new PossibleStep(
                 unhandled(steps), sends, target, Map.of(), "completion of " + state(state));
     }
 }

@@ -118,8 +118,8 @@ public final class Coupling {
     }
 
     /** Whether chaos of the right side allows all that comes: it allows no error. */
-    boolean endsInChaos(Behaviour theirs) {
-        return theirs.target() == Behaviour.CHAOS && !left.mayErr();
+    boolean endsInChaos(PossibleStep theirs) {
+        return theirs.target() == PossibleStep.CHAOS && !left.mayErr();
     }
 
     /**

@@ -144,21 +144,21 @@ public final class CouplingCheck {
     }
 
     /** Whether some step is not answered by one that leads to the conditions again. */
-    private Optional<String> unanswered(Slice slice, Behaviour mine) {
+    private Optional<String> unanswered(Slice slice, PossibleStep mine) {
         SliceSolver solver = solver(slice);
         solver.claim(mine.when());
-        if (mine.target() == Behaviour.CHAOS) {
+        if (mine.target() == PossibleStep.CHAOS) {
             return solver.find()
                     .map(row -> "the left side may fall into chaos out of " + place(slice, row));
         }
-        for (Behaviour theirs : slice.theirs()) {
+        for (PossibleStep theirs : slice.theirs()) {
             solver.claimNot(solver.and(solver.answers(mine, theirs), goesOn(solver, mine, theirs)));
         }
         return solver.find().map(row -> words(slice, mine, row));
     }
 
-    private int goesOn(SliceSolver solver, Behaviour mine, Behaviour theirs) {
-        if (theirs.target() == Behaviour.CHAOS) {
+    private int goesOn(SliceSolver solver, PossibleStep mine, PossibleStep theirs) {
+        if (theirs.target() == PossibleStep.CHAOS) {
             return solver.truth(coupling.endsInChaos(theirs));
         }
         return conditions
@@ -168,9 +168,9 @@ public final class CouplingCheck {
     }
 
     /** Of a step that is not answered, what is wrong, by the last possible answer. */
-    private String words(Slice slice, Behaviour mine, Value[] row) {
+    private String words(Slice slice, PossibleStep mine, Value[] row) {
         String problem = "is forbidden";
-        for (Behaviour theirs : slice.theirs()) {
+        for (PossibleStep theirs : slice.theirs()) {
             if (isAnswer(slice, mine, theirs, row)) {
                 problem = leads(slice, mine, theirs, row);
             }
@@ -178,8 +178,8 @@ public final class CouplingCheck {
         return "a step (%s) out of %s %s".formatted(mine.name(), place(slice, row), problem);
     }
 
-    private String leads(Slice slice, Behaviour mine, Behaviour theirs, Value[] row) {
-        if (theirs.target() == Behaviour.CHAOS) {
+    private String leads(Slice slice, PossibleStep mine, PossibleStep theirs, Value[] row) {
+        if (theirs.target() == PossibleStep.CHAOS) {
             return "leads to chaos of the right side, which allows no error";
         }
         StatePair after = Slice.after(mine, theirs);
@@ -201,7 +201,7 @@ public final class CouplingCheck {
                 .orElse(there + ", which is in no pair");
     }
 
-    private boolean isAnswer(Slice slice, Behaviour mine, Behaviour theirs, Value[] row) {
+    private boolean isAnswer(Slice slice, PossibleStep mine, PossibleStep theirs, Value[] row) {
         return holds(theirs.when(), slice.ports(), row)
                 && coupling.observed.stream()
                         .allMatch(

@@ -100,10 +100,10 @@ public final class CouplingSearch {
         }
     }
 
-    private Candidates candidates(StatePair pair) {
+    private PossibleComparisons candidates(StatePair pair) {
         List<Expression> read = new ArrayList<>(coupling.left.expressions(pair.left()));
         read.addAll(coupling.right.expressions(pair.right()));
-        return new Candidates(variables, Candidates.numbers(read));
+        return new PossibleComparisons(variables, PossibleComparisons.numbers(read));
     }
 
     private boolean isShown(Comparison comparison, List<Value> row) {
@@ -114,9 +114,10 @@ public final class CouplingSearch {
     private void goOn(StatePair pair) {
         for (Set<String> messages : coupling.messages(pair)) {
             Slice slice = Slice.of(coupling, pair, messages, variables);
-            for (Behaviour mine : slice.mine()) {
-                for (Behaviour theirs : slice.theirs()) {
-                    if (mine.target() != Behaviour.CHAOS && theirs.target() != Behaviour.CHAOS) {
+            for (PossibleStep mine : slice.mine()) {
+                for (PossibleStep theirs : slice.theirs()) {
+                    if (mine.target() != PossibleStep.CHAOS
+                            && theirs.target() != PossibleStep.CHAOS) {
                         follow(slice, mine, theirs);
                     }
                 }
@@ -125,7 +126,7 @@ public final class CouplingSearch {
     }
 
     /** Until no example of the step contradicts what is thought of the pair after it. */
-    private void follow(Slice slice, Behaviour mine, Behaviour theirs) {
+    private void follow(Slice slice, PossibleStep mine, PossibleStep theirs) {
         StatePair after = Slice.after(mine, theirs);
         Optional<Value[]> example = another(slice, mine, theirs);
         while (example.isPresent()) {
@@ -135,7 +136,7 @@ public final class CouplingSearch {
         }
     }
 
-    private Optional<Value[]> another(Slice slice, Behaviour mine, Behaviour theirs) {
+    private Optional<Value[]> another(Slice slice, PossibleStep mine, PossibleStep theirs) {
         SliceSolver solver = solver(slice, Objects.requireNonNull(found.get(slice.pair())));
         solver.claim(mine.when());
         solver.claim(solver.answers(mine, theirs));
@@ -154,7 +155,7 @@ public final class CouplingSearch {
     }
 
     private static Value after(
-            Port variable, Slice slice, Behaviour mine, Behaviour theirs, Value[] row) {
+            Port variable, Slice slice, PossibleStep mine, PossibleStep theirs, Value[] row) {
         Expression value =
                 Slice.value(new Expression.PortRead(variable, variable.span()), mine, theirs);
         return Objects.requireNonNull(

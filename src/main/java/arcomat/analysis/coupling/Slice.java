@@ -21,8 +21,8 @@ import java.util.stream.Stream;
  */
 record Slice(
         StatePair pair,
-        List<Behaviour> mine,
-        List<Behaviour> theirs,
+        List<PossibleStep> mine,
+        List<PossibleStep> theirs,
         Expression errs,
         List<Port> ports) {
 
@@ -35,8 +35,8 @@ record Slice(
         List<String> open =
                 Stream.concat(messages.stream(), coupling.memory.stream().map(Port::name)).toList();
         PartialEvaluation known = new PartialEvaluation(Map.of(), Set.copyOf(open));
-        List<Behaviour> mine = with(known, coupling.left.behaviours(pair.left()));
-        List<Behaviour> theirs = with(known, coupling.right.behaviours(pair.right()));
+        List<PossibleStep> mine = with(known, coupling.left.behaviours(pair.left()));
+        List<PossibleStep> theirs = with(known, coupling.right.behaviours(pair.right()));
         Expression errs = known.of(coupling.left.errs(pair.left()));
         List<Expression> all = new ArrayList<>(List.of(errs));
         mine.forEach(each -> all.addAll(each.expressions()));
@@ -44,7 +44,7 @@ record Slice(
         return new Slice(pair, mine, theirs, errs, ports(all, conditions));
     }
 
-    private static List<Behaviour> with(PartialEvaluation known, List<Behaviour> behaviours) {
+    private static List<PossibleStep> with(PartialEvaluation known, List<PossibleStep> behaviours) {
         return behaviours.stream().map(each -> each.with(known::of)).toList();
     }
 
@@ -58,12 +58,12 @@ record Slice(
     }
 
     /** The pair after a step of both. */
-    static StatePair after(Behaviour mine, Behaviour theirs) {
+    static StatePair after(PossibleStep mine, PossibleStep theirs) {
         return new StatePair(mine.target(), theirs.target());
     }
 
     /** A comparison of what variables are after a step of both, about what was before. */
-    static Expression after(Comparison comparison, Behaviour mine, Behaviour theirs) {
+    static Expression after(Comparison comparison, PossibleStep mine, PossibleStep theirs) {
         return comparison
                 .expression()
                 .rewritten(
@@ -74,7 +74,7 @@ record Slice(
     }
 
     /** What a variable is after a step of both. */
-    static Expression value(Expression.PortRead variable, Behaviour mine, Behaviour theirs) {
+    static Expression value(Expression.PortRead variable, PossibleStep mine, PossibleStep theirs) {
         String name = variable.port().name();
         return mine.after().getOrDefault(name, theirs.after().getOrDefault(name, variable));
     }

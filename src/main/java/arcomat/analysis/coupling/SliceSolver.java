@@ -38,7 +38,7 @@ final class SliceSolver {
     }
 
     /** That the right side takes a step that allows what the left one sends. */
-    int answers(Behaviour mine, Behaviour theirs) {
+    int answers(PossibleStep mine, PossibleStep theirs) {
         List<Integer> all = new ArrayList<>(List.of(letters.truth(theirs.when())));
         for (Port port : observed) {
             all.add(allows(theirs.sent(port), mine.sent(port)));
@@ -59,7 +59,7 @@ final class SliceSolver {
     }
 
     /** That comparisons are true after a step of both. */
-    int leadsTo(List<Comparison> after, Behaviour mine, Behaviour theirs) {
+    int leadsTo(List<Comparison> after, PossibleStep mine, PossibleStep theirs) {
         return letters.and(
                 after.stream()
                         .map(each -> letters.truth(Slice.after(each, mine, theirs)))

@@ -14,7 +14,7 @@ import java.util.function.Function;
  * other, told apart from the tool: guards are drawn as texts of a model and of SMT-LIB at once,
  * with vectors of bits and IEEE 754, and steps are compared pair by pair.
  */
-final class RandomQuestion {
+public final class RandomQuestion {
     /** A condition, or a number that is sent. */
     private record Drawn(String model, String smt) {}
 
@@ -30,7 +30,7 @@ final class RandomQuestion {
     private final List<Row> left = new ArrayList<>();
     private final List<Row> right = new ArrayList<>();
 
-    RandomQuestion(long seed) {
+    public RandomQuestion(long seed) {
         random = new Random(seed);
         int rows = 2 + random.nextInt(3);
         for (int i = 0; i < rows; i++) {
@@ -185,7 +185,7 @@ final class RandomQuestion {
     }
 
     /** The models {@code Left} and {@code Right}. */
-    List<String> models() {
+    public List<String> models() {
         return List.of(text("Left", left), text("Right", right));
     }
 

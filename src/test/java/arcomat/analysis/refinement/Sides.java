@@ -8,8 +8,8 @@ import arcomat.source.SourceFile;
 import java.util.List;
 
 /** What is compared: the components {@code Left} and {@code Right} of two texts. */
-record Sides(Promise left, Promise right) {
-    static Sides of(List<String> texts) {
+public record Sides(Promise left, Promise right) {
+    public static Sides of(List<String> texts) {
         Model model =
                 ReadModels.model(
                         new SourceFile("Left.arc", texts.get(0)),
@@ -21,7 +21,7 @@ record Sides(Promise left, Promise right) {
         return Promise.of(model.component(name).orElseThrow(), List.of());
     }
 
-    Verdict check(Budget budget) {
+    public Verdict check(Budget budget) {
         return Refinement.check(left, right, budget);
     }
 }

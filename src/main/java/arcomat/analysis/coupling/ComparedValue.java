@@ -16,16 +16,16 @@ import java.util.Optional;
  * @param plus 0 where nothing is added
  * @param value of no matter where there is a variable
  */
-record Measure(Optional<Port> variable, boolean opposite, long plus, Value value) {
+record ComparedValue(Optional<Port> variable, boolean opposite, long plus, Value value) {
     private static final Type WIDE = Type.IntegerType.of(Type.Width.LONG);
     private static final Value NOTHING = new Value.IntegerValue(0);
 
-    static Measure of(Value value) {
-        return new Measure(Optional.empty(), false, 0, value);
+    static ComparedValue of(Value value) {
+        return new ComparedValue(Optional.empty(), false, 0, value);
     }
 
-    static Measure of(Port variable, boolean opposite, long plus) {
-        return new Measure(Optional.of(variable), opposite, plus, NOTHING);
+    static ComparedValue of(Port variable, boolean opposite, long plus) {
+        return new ComparedValue(Optional.of(variable), opposite, plus, NOTHING);
     }
 
     boolean isCalculated() {

@@ -22,7 +22,7 @@ import java.util.function.UnaryOperator;
  *     left out
  * @param name for messages
  */
-record Behaviour(
+record PossibleStep(
         Expression when,
         Map<String, Emitted> sends,
         int target,
@@ -30,18 +30,18 @@ record Behaviour(
         String name) {
     static final int CHAOS = -1;
 
-    Behaviour {
+    PossibleStep {
         sends = Collections.unmodifiableMap(new LinkedHashMap<>(sends));
         after = Collections.unmodifiableMap(new LinkedHashMap<>(after));
     }
 
     /** The same with a letter of which something is known. */
-    Behaviour with(UnaryOperator<Expression> rest) {
+    PossibleStep with(UnaryOperator<Expression> rest) {
         Map<String, Emitted> otherSends = new LinkedHashMap<>();
         sends.forEach((port, sent) -> otherSends.put(port, sent.with(rest)));
         Map<String, Expression> otherAfter = new LinkedHashMap<>();
         after.forEach((port, value) -> otherAfter.put(port, rest.apply(value)));
-        return new Behaviour(rest.apply(when), otherSends, target, otherAfter, name);
+        return new PossibleStep(rest.apply(when), otherSends, target, otherAfter, name);
     }
 
     Emitted sent(Port port) {

@@ -18,7 +18,7 @@ import java.util.Set;
  * @param variables that are compared
  * @param numbers that models mention
  */
-record Candidates(List<Port> variables, Set<Long> numbers) {
+record PossibleComparisons(List<Port> variables, Set<Long> numbers) {
     /** The numbers in some expressions. */
     static Set<Long> numbers(List<Expression> expressions) {
         Set<Long> numbers = new LinkedHashSet<>(List.of(0L));
@@ -49,7 +49,9 @@ record Candidates(List<Port> variables, Set<Long> numbers) {
         for (int one = 0; one < row.size(); one++) {
             all.add(
                     new Comparison(
-                            variables.get(one), BinaryOperator.EQUAL, Measure.of(row.get(one))));
+                            variables.get(one),
+                            BinaryOperator.EQUAL,
+                            ComparedValue.of(row.get(one))));
         }
         for (int one = 0; one < row.size(); one++) {
             for (int other = one + 1; other < row.size(); other++) {
@@ -71,23 +73,23 @@ record Candidates(List<Port> variables, Set<Long> numbers) {
         Port second = variables.get(other);
         if (!isWhole(one) || !isWhole(other)) {
             if (variable.type().equals(second.type())) {
-                all.add(equal(variable, Measure.of(second, false, 0)));
+                all.add(equal(variable, ComparedValue.of(second, false, 0)));
             }
             return;
         }
         long more = row.get(one).whole() - row.get(other).whole();
-        all.add(equal(variable, Measure.of(second, false, more)));
+        all.add(equal(variable, ComparedValue.of(second, false, more)));
         long sum = row.get(one).whole() + row.get(other).whole();
-        all.add(equal(variable, Measure.of(second, true, sum)));
+        all.add(equal(variable, ComparedValue.of(second, true, sum)));
     }
 
-    private static Comparison equal(Port variable, Measure measure) {
+    private static Comparison equal(Port variable, ComparedValue measure) {
         return new Comparison(variable, BinaryOperator.EQUAL, measure);
     }
 
     private void addOrdered(int one, int other, List<Comparison> all) {
         if (isWhole(one) && isWhole(other)) {
-            addOrdered(variables.get(one), Measure.of(variables.get(other), false, 0), all);
+            addOrdered(variables.get(one), ComparedValue.of(variables.get(other), false, 0), all);
         }
     }
 
@@ -97,12 +99,12 @@ record Candidates(List<Port> variables, Set<Long> numbers) {
                     number ->
                             addOrdered(
                                     variables.get(one),
-                                    Measure.of(new Value.IntegerValue(number)),
+                                    ComparedValue.of(new Value.IntegerValue(number)),
                                     all));
         }
     }
 
-    private static void addOrdered(Port variable, Measure measure, List<Comparison> all) {
+    private static void addOrdered(Port variable, ComparedValue measure, List<Comparison> all) {
         for (BinaryOperator operator :
                 List.of(BinaryOperator.LESS_OR_EQUAL, BinaryOperator.GREATER_OR_EQUAL)) {
             all.add(new Comparison(variable, operator, measure));
