@@ -21,6 +21,10 @@ import java.util.stream.Stream;
 class ReflexivityTest {
     private static final Budget BUDGET = new Budget(() -> false, 100_000_000);
 
+    /** A search of that alone: conditions over variables would show the same. */
+    private static final Budget LITTLE =
+            new Budget(() -> false, 1_000).with(rule -> rule != Shortcut.CONDITIONS);
+
     /** Below {@code == same A} a part of a note. */
     @TestFactory
     Stream<DynamicTest> holdsWhereTheSearchIsGivenUp() {
@@ -35,8 +39,7 @@ class ReflexivityTest {
     }
 
     private static void check(Promise same, List<String> lines) {
-        Budget few = new Budget(() -> false, 1_000).with(rule -> rule != Shortcut.CONDITIONS);
-        Verdict search = Certification.of(same, same, few).verdict();
+        Verdict search = Certification.of(same, same, LITTLE).verdict();
         assertThat(search.answer()).isEqualTo(Answer.UNKNOWN);
         Verdict verdict = Refinement.check(same, same, BUDGET);
         assertThat(verdict.answer()).isEqualTo(Answer.HOLDS);
@@ -50,8 +53,7 @@ class ReflexivityTest {
             Model model = RandomData.model(new RandomData(seed).chains(), RandomData.INTEGERS);
             for (String name : List.of("r.Left", "r.First")) {
                 Promise same = promise(model, name);
-                Budget little = new Budget(() -> false, 1_000);
-                assertThat(Certification.of(same, same, little).verdict().answer())
+                assertThat(Certification.of(same, same, LITTLE).verdict().answer())
                         .isNotEqualTo(Answer.FAILS);
             }
         }
