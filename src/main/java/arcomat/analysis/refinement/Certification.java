@@ -50,7 +50,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     private static Certificate told(
             Promise left, Promise right, Supplier<Certificate> proof, Budget budget) {
-        return CoupledRefinement.readsMuch(left, right)
+        return CoupledRefinement.readsMuch(left, right) && budget.takes(Shortcut.CONDITIONS)
                 ? CoupledRefinement.proof(left, right, budget).orElse(proof).get()
                 : proof.get();
     }
