@@ -19,11 +19,13 @@ import java.util.stream.Stream;
 
 /** Every component refines itself, even where a search does not find out. */
 class ReflexivityTest {
-    private static final Budget BUDGET = new Budget(() -> false, 100_000_000);
+    private static final Budget BUDGET = searching(100_000_000);
+    private static final Budget LITTLE = searching(1_000);
 
-    /** A search of that alone: conditions over variables would show the same. */
-    private static final Budget LITTLE =
-            new Budget(() -> false, 1_000).with(rule -> rule != Shortcut.CONDITIONS);
+    /** For a search alone: conditions over variables would show the same. */
+    private static Budget searching(long pairs) {
+        return new Budget(() -> false, pairs).with(rule -> rule != Shortcut.CONDITIONS);
+    }
 
     /** Below {@code == same A} a part of a note. */
     @TestFactory
