@@ -3,12 +3,14 @@ package arcomat.laws.naive;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * What expressions mean, in Kleene's three values: null is undefined, because a port carries
@@ -17,6 +19,9 @@ import java.util.Map;
  * @param ports messages by name, null or missing where there is none
  */
 record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
+
+    private static final Set<BinaryOperator> CONNECTIVES =
+            Set.of(BinaryOperator.AND, BinaryOperator.OR, BinaryOperator.IMPLIES);
 
     /** A run that goes wrong. */
     static final class Wrong extends RuntimeException {
@@ -27,8 +32,22 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
         }
     }
 
+    /** Behind what is not true, nothing is looked at that has to be true as well. */
     boolean isTrue(Expression guard) {
-        return truth(true).equals(of(guard));
+        return is(true, guard);
+    }
+
+    private boolean is(boolean wanted, Expression e) {
+        if (e instanceof Expression.Unary not && not.operator() == UnaryOperator.NOT) {
+            return is(!wanted, not.operand());
+        }
+        if (e instanceof Expression.Binary binary && CONNECTIVES.contains(binary.operator())) {
+            boolean oneIsEnough = wanted != (binary.operator() == BinaryOperator.AND);
+            boolean first = wanted != (binary.operator() == BinaryOperator.IMPLIES);
+            boolean left = is(first, binary.left());
+            return left == oneIsEnough ? left : is(wanted, binary.right());
+        }
+        return truth(wanted).equals(of(e));
     }
 
     private static Value truth(boolean value) {
