@@ -50,9 +50,14 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     private static Certificate told(
             Promise left, Promise right, Supplier<Certificate> proof, Budget budget) {
-        return CoupledRefinement.readsMuch(left, right) && budget.takes(Shortcut.CONDITIONS)
-                ? CoupledRefinement.proof(left, right, budget).orElse(proof).get()
-                : proof.get();
+        Certificate found = proof.get();
+        boolean others =
+                found.form() == Form.PAIRS
+                        && CoupledRefinement.readsMuch(left, right)
+                        && budget.takes(Shortcut.CONDITIONS);
+        return others
+                ? CoupledRefinement.proof(left, right, budget).map(Supplier::get).orElse(found)
+                : found;
     }
 
     /**

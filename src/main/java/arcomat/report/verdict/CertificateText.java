@@ -51,34 +51,33 @@ public final class CertificateText {
         if (!lines.get(0).equals(FIRST)) {
             return Optional.empty();
         }
-        List<Certificate> certificates = new ArrayList<>();
+        List<Reading> certificates = new ArrayList<>();
         for (String line : lines.subList(1, lines.size())) {
             Optional<Form> beginning = beginning(line);
             if (beginning.isPresent()) {
-                certificates.add(new Certificate(beginning.get(), List.of()));
+                certificates.add(new Reading(beginning.get(), new ArrayList<>()));
             } else if (!line.startsWith("#") && !add(line, certificates)) {
                 return Optional.empty();
             }
         }
-        return Optional.of(certificates);
+        return Optional.of(
+                certificates.stream()
+                        .map(each -> new Certificate(each.form, each.entries))
+                        .toList());
     }
+
+    /** A certificate as far as it has been read. */
+    private record Reading(Form form, List<Entry> entries) {}
 
     private static Optional<Form> beginning(String line) {
         return Stream.of(Form.values()).filter(form -> line.equals(BEGINNINGS.get(form))).findAny();
     }
 
-    private static boolean add(String line, List<Certificate> certificates) {
+    private static boolean add(String line, List<Reading> certificates) {
         if (certificates.isEmpty() || !line.startsWith("  ")) {
             return false;
         }
-        Certificate last = certificates.remove(certificates.size() - 1);
-        List<Entry> entries = new ArrayList<>(last.entries());
-        boolean fits = addTo(entries, line);
-        certificates.add(new Certificate(last.form(), entries));
-        return fits;
-    }
-
-    private static boolean addTo(List<Entry> entries, String line) {
+        List<Entry> entries = certificates.get(certificates.size() - 1).entries;
         if (!line.startsWith(INDENT)) {
             entries.add(new Entry(OneLine.read(line.substring(2)), List.of()));
             return true;
