@@ -37,6 +37,17 @@ final class CoupledSide {
     private final Set<String> owned;
     private final List<Port> memory;
 
+    /** By state, all that may happen there. */
+    private final Map<Integer, InState> told = new HashMap<>();
+
+    /**
+     * What may happen in a state.
+     *
+     * @param behaviours all that it may do but for errors
+     * @param errs when its run may end
+     */
+    private record InState(List<PossibleStep> behaviours, Expression errs) {}
+
     private CoupledSide(
             StepRelation relation, StepRelation opened, Set<String> owned, List<Port> memory) {
         this.relation = relation;
@@ -143,27 +154,30 @@ final class CoupledSide {
 
     /** All that it may do in a state but for errors. */
     List<PossibleStep> behaviours(int state) {
-        List<Transition> transitions = transitions(state);
-        List<DataStep> steps = steps(state);
-        List<PossibleStep> all = new ArrayList<>();
-        for (int i = 0; i < steps.size(); i++) {
-            all.add(taken(transitions.get(i), steps.get(i)));
-        }
-        if (completion() != Completion.ERROR) {
-            all.add(completed(state, steps));
-        }
-        return all;
+        return told.computeIfAbsent(state, this::tell).behaviours;
     }
 
     /** When its run may end in a state. */
     Expression errs(int state) {
+        return told.computeIfAbsent(state, this::tell).errs;
+    }
+
+    private InState tell(int state) {
+        List<Transition> transitions = transitions(state);
         List<DataStep> steps = steps(state);
-        Expression any = completion() == Completion.ERROR ? unhandled(steps) : Formulas.FALSE;
-        for (DataStep step : steps) {
-            Expression wrong = Formulas.and(step.tried(), Formulas.not(step.happens()));
-            any = Formulas.or(any, wrong);
+        List<PossibleStep> all = new ArrayList<>();
+        Expression errs = Formulas.FALSE;
+        for (int i = 0; i < steps.size(); i++) {
+            DataStep step = steps.get(i);
+            all.add(taken(transitions.get(i), step));
+            errs = Formulas.or(errs, Formulas.and(step.tried(), Formulas.not(step.happens())));
         }
-        return any;
+        if (completion() == Completion.ERROR) {
+            errs = Formulas.or(unhandled(steps), errs);
+        } else {
+            all.add(completed(state, steps));
+        }
+        return new InState(all, errs);
     }
 
     private Completion completion() {

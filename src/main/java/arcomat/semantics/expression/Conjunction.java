@@ -2,7 +2,6 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
-import arcomat.model.Expression.UnaryOperator;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,8 +21,8 @@ public final class Conjunction {
     }
 
     private static void add(Expression condition, boolean denied, List<Expression> parts) {
-        if (condition instanceof Expression.Unary not && not.operator() == UnaryOperator.NOT) {
-            add(not.operand(), !denied, parts);
+        if (Formulas.isNegation(condition)) {
+            add(condition.operands().get(0), !denied, parts);
             return;
         }
         BinaryOperator both = denied ? BinaryOperator.OR : BinaryOperator.AND;
@@ -31,11 +30,7 @@ public final class Conjunction {
             add(binary.left(), denied, parts);
             add(binary.right(), denied, parts);
         } else {
-            parts.add(denied ? not(condition) : condition);
+            parts.add(denied ? Formulas.not(condition) : condition);
         }
-    }
-
-    private static Expression not(Expression e) {
-        return new Expression.Unary(UnaryOperator.NOT, e, e.type(), e.span());
     }
 }
