@@ -6,7 +6,6 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Certificate.Form;
-import arcomat.analysis.search.product.CertificateCheck;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
@@ -20,44 +19,100 @@ import java.util.function.Supplier;
  */
 public record Certification(Verdict verdict, List<Certificate> certificates) {
 
-    /**
-     * As {@link Refinement#check}, but without the short cut part by part; and pairs that are to be
-     * written down are not packed.
-     */
+    /** So much work the second engine does alone, in assignments: some seconds. */
+    static final long WORK = 4_000_000;
+
+    /** What is said where nothing can be written down. */
+    static final String NONE = "no certificate was found within the limits";
+
+    /** So many pairs are searched unpacked, so that they can be written down at once. */
+    private static final long FEW_PAIRS = 20_000;
+
+    /** As {@link Refinement#check}, but without the short cut part by part. */
     public static Certification of(Promise left, Promise right, Budget budget) {
-        List<Certificate> found = new ArrayList<>();
         Optional<Verdict> known = Refinement.comparable(left, right);
         if (known.isPresent()) {
             return new Certification(known.get(), List.of());
         }
-        List<Verdict> verdicts = new ArrayList<>();
-        Budget unpacked = budget.with(rule -> rule != Shortcut.PACKED && budget.takes(rule));
-        for (Promise each : right.each()) {
-            verdicts.add(
-                    Refinement.compare(
-                            left,
-                            each,
-                            unpacked,
-                            proof -> found.add(told(left, each, proof, budget))));
+        List<Certification> each =
+                right.each().stream().map(one -> ofOne(left, one, budget)).toList();
+        Verdict verdict = Refinement.all(each.stream().map(Certification::verdict).toList());
+        if (verdict.answer() != Answer.HOLDS) {
+            return new Certification(verdict, List.of());
         }
-        Verdict verdict = Refinement.all(verdicts);
-        return new Certification(verdict, verdict.answer() == Answer.HOLDS ? found : List.of());
+        List<Certificate> found = each.stream().flatMap(c -> c.certificates.stream()).toList();
+        return found.size() == each.size()
+                ? new Certification(verdict, found)
+                : new Certification(verdict.with(NONE), List.of());
+    }
+
+    /**
+     * Pairs that are to be written down are not packed. Where these are many, the answer is that of
+     * the packed search, or of the second engine.
+     */
+    private static Certification ofOne(Promise left, Promise right, Budget budget) {
+        Budget unpacked = budget.with(rule -> rule != Shortcut.PACKED && budget.takes(rule));
+        if (!left.isComposition()) {
+            return searched(left, right, unpacked);
+        }
+        Certification few = searched(left, right, unpacked.atMost(FEW_PAIRS));
+        if (few.verdict.answer() != Answer.UNKNOWN) {
+            return few;
+        }
+        Certification quick = searched(left, right, budget);
+        return quick.verdict.answer() == Answer.HOLDS && quick.certificates.isEmpty()
+                ? new Certification(quick.verdict, alone(left, right, unpacked))
+                : quick;
+    }
+
+    /** With what the search leaves to be written down. */
+    private static Certification searched(Promise left, Promise right, Budget budget) {
+        List<Certificate> found = new ArrayList<>();
+        Verdict verdict =
+                Refinement.compare(
+                        left,
+                        right,
+                        budget,
+                        proof -> told(left, right, proof, budget).ifPresent(found::add));
+        return new Certification(verdict, found);
+    }
+
+    /** Clauses that the second engine finds by itself, else pairs however many. */
+    private static List<Certificate> alone(Promise left, Promise right, Budget unpacked) {
+        Optional<Certificate> clauses =
+                Budget.within(
+                        () ->
+                                ComparedSystems.of(left, right, unpacked)
+                                        .clauses(WORK, unpacked)
+                                        .filter(each -> isProof(left, right, each, unpacked)),
+                        reason -> Optional.empty());
+        return clauses.map(List::of).orElseGet(() -> searched(left, right, unpacked).certificates);
     }
 
     /**
      * Where a solver had to tell messages apart, conditions are preferred: to check them, another
      * one is asked.
      */
-    private static Certificate told(
-            Promise left, Promise right, Supplier<Certificate> proof, Budget budget) {
-        Certificate found = proof.get();
+    private static Optional<Certificate> told(
+            Promise left, Promise right, Supplier<Optional<Certificate>> proof, Budget budget) {
+        Optional<Certificate> found = proof.get();
         boolean others =
-                found.form() == Form.PAIRS
+                found.isPresent()
+                        && found.get().form() == Form.PAIRS
                         && CoupledRefinement.readsMuch(left, right)
                         && budget.takes(Shortcut.CONDITIONS);
         return others
-                ? CoupledRefinement.proof(left, right, budget).map(Supplier::get).orElse(found)
-                : found;
+                ? CoupledRefinement.proof(left, right, budget).map(Supplier::get).or(() -> found)
+                : found.filter(
+                        each -> each.form() != Form.CLAUSES || isProof(left, right, each, budget));
+    }
+
+    /** What cannot be told in words without doubt is no proof on paper. */
+    private static boolean isProof(
+            Promise left, Promise right, Certificate clauses, Budget budget) {
+        return Budget.within(
+                () -> ComparedSystems.of(left, right, budget).problem(clauses, budget).isEmpty(),
+                reason -> false);
     }
 
     /**
@@ -93,14 +148,6 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         if (certificate.form() == Form.CONDITIONS) {
             return CoupledRefinement.problem(left, right, certificate, budget);
         }
-        ComparedSystems systems = ComparedSystems.of(left, right, budget);
-        return new CertificateCheck(
-                        systems.left(),
-                        systems.right(),
-                        systems.observed(),
-                        systems.outputs(),
-                        certificate,
-                        budget)
-                .problem();
+        return ComparedSystems.of(left, right, budget).problem(certificate, budget);
     }
 }

@@ -4,6 +4,9 @@ import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.encoding.SymbolicInclusion;
 import arcomat.analysis.search.packed.PairStore;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.CertificateCheck;
+import arcomat.analysis.search.product.ClauseCheck;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.system.AutomataSystem;
@@ -12,6 +15,7 @@ import arcomat.analysis.search.system.DrivenSystem;
 import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.analysis.search.system.ShiftedSystem;
 import arcomat.analysis.search.system.TransitionSystem;
+import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
 import arcomat.model.Port;
 
 import java.util.List;
@@ -126,9 +130,48 @@ public record ComparedSystems(
 
     /** An engine that does not look at configurations one by one, where there is one for these. */
     private Optional<SymbolicInclusion> symbolic(Budget budget) {
+        return network().flatMap(network -> SymbolicInclusion.of(network, right, outputs, budget));
+    }
+
+    /** The left side, if it can be told in bits. */
+    private Optional<NetworkSystem> network() {
         return left instanceof NetworkSystem network && network.canBePacked()
-                ? SymbolicInclusion.of(network.smaller().system(), right, outputs, budget)
+                ? Optional.of(network.smaller().system())
                 : Optional.empty();
+    }
+
+    /**
+     * Clauses that show the inclusion, by that engine alone.
+     *
+     * @param work as {@link SymbolicInclusion#work} has it
+     */
+    Optional<Certificate> clauses(long work, Budget budget) {
+        return symbolic(budget)
+                .filter(engine -> engine.work(work) == Progress.PROVED)
+                .map(engine -> Certificate.ofClauses(engine.clauses()));
+    }
+
+    /**
+     * What is wrong with a certificate; empty for a proof.
+     *
+     * @param certificate of pairs or of clauses
+     */
+    Optional<String> problem(Certificate certificate, Budget budget) {
+        return switch (certificate.form()) {
+            case PAIRS ->
+                    new CertificateCheck(left, right, observed, outputs, certificate, budget)
+                            .problem();
+            case CLAUSES -> clauseProblem(certificate, budget);
+            case CONDITIONS ->
+                    Optional.of("conditions over variables are about two automata alone");
+        };
+    }
+
+    private Optional<String> clauseProblem(Certificate certificate, Budget budget) {
+        Optional<NetworkSystem> network = network();
+        return network.isEmpty()
+                ? Optional.of("clauses are about compositions that work in slices")
+                : ClauseCheck.problem(network.get(), right, outputs, certificate, budget::insist);
     }
 
     Explored explored(TraceInclusion inclusion) {

@@ -24,6 +24,7 @@ import arcomat.semantics.invariant.InvariantWatch.Truth;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * Whether an invariant is true in every slice of every run. The component is put beside an observer
@@ -67,17 +68,26 @@ public final class InvariantProof {
             Budget budget,
             Optional<PairStore.Maker> stores) {
         Promise asked = Promise.of(component, arguments);
-        return Budget.within(
-                () -> new InvariantProof(asked, invariant, budget, stores).verdict(),
-                Verdict::unknown);
+        InvariantProof proof = new InvariantProof(asked, invariant, budget, stores);
+        return proof.verdict(inclusion -> {});
     }
 
-    private Verdict verdict() {
-        Optional<String> obstacle = asked.obstacle(budget::insist);
-        if (obstacle.isPresent()) {
-            return Verdict.unknown(obstacle.get());
-        }
-        return atTheStart().orElseGet(this::search);
+    /** For whoever writes down why it holds, or reads it. */
+    static InvariantProof of(Promise asked, Invariant invariant, Budget budget) {
+        return new InvariantProof(asked, invariant, budget, Optional.empty());
+    }
+
+    /**
+     * @param shown told the search that shows that it holds, where it does
+     */
+    Verdict verdict(Consumer<TraceInclusion> shown) {
+        return Budget.within(
+                () -> withoutSearch().orElseGet(() -> search(shown)), Verdict::unknown);
+    }
+
+    /** Where there is nothing to search for. */
+    Optional<Verdict> withoutSearch() {
+        return asked.obstacle(budget::insist).map(Verdict::unknown).or(this::atTheStart);
     }
 
     /** Before the first slice no port shows anything, but variables have values. */
@@ -127,26 +137,41 @@ public final class InvariantProof {
         return new Sentence(text + with, Optional.of(invariant.condition().span()));
     }
 
-    private Verdict search() {
-        Promise together = Promise.of(watch.together(), asked.arguments());
-        ComparedSystems systems =
-                ComparedSystems.of(together, silent(together.component()), budget);
-        TraceInclusion inclusion = systems.inclusion(budget, this::symbolic, stores);
+    private Verdict search(Consumer<TraceInclusion> shown) {
+        Promise together = side(watch.together());
+        ComparedSystems systems = systems(together, budget);
+        TraceInclusion inclusion = systems.inclusion(budget, () -> Optional.of(apart()), stores);
         return Budget.within(
-                () -> verdict(together, systems, inclusion).without(inclusion),
+                () -> verdict(together, systems, inclusion, shown).without(inclusion),
                 reason -> Verdict.unknown(reason, explored(inclusion)));
+    }
+
+    /** The question, for a search within limits of its own. */
+    ComparedSystems together(Budget limits) {
+        return systems(side(watch.together()), limits);
     }
 
     /**
      * The same question once more, for the second engine. It writes down what a part does for all
      * that it may read; so there are many observers, and none looks at much.
      */
-    private Optional<ComparedSystems> symbolic() {
-        Promise apart = Promise.of(watch.apart(), asked.arguments());
-        return Optional.of(ComparedSystems.of(apart, silent(apart.component()), budget));
+    ComparedSystems apart() {
+        return systems(side(watch.apart()), budget);
     }
 
-    private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {
+    private Promise side(Component observed) {
+        return Promise.of(observed, asked.arguments());
+    }
+
+    private ComparedSystems systems(Promise observed, Budget limits) {
+        return ComparedSystems.of(observed, silent(observed.component()), limits);
+    }
+
+    private Verdict verdict(
+            Promise together,
+            ComparedSystems systems,
+            TraceInclusion inclusion,
+            Consumer<TraceInclusion> shown) {
         TraceInclusion.Result result = inclusion.run();
         Explored explored = explored(inclusion);
         if (result.failure().isPresent()) {
@@ -158,9 +183,11 @@ public final class InvariantProof {
                     slices, told.explanation(invariant, found.forbidden(), slices), explored);
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
-        return stopped.isPresent()
-                ? Verdict.unknown(stopped.get(), explored)
-                : Verdict.holds(Optional.empty(), List.of(), explored);
+        if (stopped.isPresent()) {
+            return Verdict.unknown(stopped.get(), explored);
+        }
+        shown.accept(inclusion);
+        return Verdict.holds(Optional.empty(), List.of(), explored);
     }
 
     private static Explored explored(TraceInclusion inclusion) {

@@ -176,7 +176,10 @@ public final class Refinement {
      * @param proof told why it holds, where it does
      */
     public static Verdict compare(
-            Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
+            Promise left,
+            Promise right,
+            Budget budget,
+            Consumer<Supplier<Optional<Certificate>>> proof) {
         return compare(left, right, budget, Optional.empty(), proof);
     }
 
@@ -190,7 +193,7 @@ public final class Refinement {
             Promise right,
             Budget budget,
             Optional<PairStore.Maker> stores,
-            Consumer<Supplier<Certificate>> proof) {
+            Consumer<Supplier<Optional<Certificate>>> proof) {
         boolean conditions =
                 stores.isEmpty()
                         && CoupledRefinement.isWorthwhile(left, right)
@@ -202,7 +205,10 @@ public final class Refinement {
 
     /** What a short search does not decide, conditions may show; else a long one follows. */
     private static Verdict withConditions(
-            Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
+            Promise left,
+            Promise right,
+            Budget budget,
+            Consumer<Supplier<Optional<Certificate>>> proof) {
         Budget few = budget.atMost(CoupledRefinement.FEW_PAIRS);
         Verdict verdict = byPairs(left, right, few, Optional.empty(), proof);
         if (verdict.answer() != Answer.UNKNOWN) {
@@ -210,7 +216,7 @@ public final class Refinement {
         }
         Optional<Supplier<Certificate>> shown = CoupledRefinement.proof(left, right, budget);
         if (shown.isPresent()) {
-            proof.accept(shown.get());
+            proof.accept(() -> Optional.of(shown.get().get()));
             return CoupledRefinement.verdict();
         }
         return byPairs(left, right, budget, Optional.empty(), proof);
@@ -221,12 +227,12 @@ public final class Refinement {
             Promise right,
             Budget budget,
             Optional<PairStore.Maker> stores,
-            Consumer<Supplier<Certificate>> proof) {
+            Consumer<Supplier<Optional<Certificate>>> proof) {
         return Budget.within(
                 () -> new Refinement(left, right, budget, stores).verdict(proof), Verdict::unknown);
     }
 
-    private Verdict verdict(Consumer<Supplier<Certificate>> proof) {
+    private Verdict verdict(Consumer<Supplier<Optional<Certificate>>> proof) {
         return Budget.within(() -> searched(proof), this::unknown);
     }
 
@@ -234,12 +240,12 @@ public final class Refinement {
         return Verdict.unknown(reason, systems.explored(inclusion));
     }
 
-    private Verdict searched(Consumer<Supplier<Certificate>> proof) {
+    private Verdict searched(Consumer<Supplier<Optional<Certificate>>> proof) {
         Verdict verdict = found(proof);
         return verdict.without(inclusion);
     }
 
-    private Verdict found(Consumer<Supplier<Certificate>> proof) {
+    private Verdict found(Consumer<Supplier<Optional<Certificate>>> proof) {
         TraceInclusion.Result result = inclusion.run();
         Explored explored = systems.explored(inclusion);
         if (result.failure().isPresent()) {

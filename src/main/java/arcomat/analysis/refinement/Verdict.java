@@ -2,6 +2,7 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.Certificate.Form;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.source.Span;
 
@@ -86,11 +87,23 @@ public record Verdict(
 
     /** Holds by certificates that have been verified. */
     public static Verdict proved(List<Certificate> certificates) {
-        long pairs = certificates.stream().mapToLong(c -> c.entries().size()).sum();
+        long clauses = entries(certificates.stream().filter(c -> c.form() == Form.CLAUSES));
+        long pairs = entries(certificates.stream().filter(c -> c.form() != Form.CLAUSES));
+        List<String> sizes = new ArrayList<>();
+        if (certificates.stream().anyMatch(c -> c.form() != Form.CLAUSES)) {
+            sizes.add(pairs == 1 ? "1 pair" : pairs + " pairs");
+        }
+        if (certificates.stream().anyMatch(c -> c.form() == Form.CLAUSES)) {
+            sizes.add(clauses == 1 ? "1 clause" : clauses + " clauses");
+        }
         return holds(
                 Optional.empty(),
-                List.of("verified: a certificate with %d pairs".formatted(pairs)),
+                List.of("verified: a certificate with " + String.join(" and ", sizes)),
                 Explored.NOTHING);
+    }
+
+    private static long entries(Stream<Certificate> certificates) {
+        return certificates.mapToLong(each -> each.entries().size()).sum();
     }
 
     /** By its behaviour, as a trace shows. */

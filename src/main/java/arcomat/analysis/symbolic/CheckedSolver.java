@@ -47,12 +47,8 @@ public final class CheckedSolver {
         return possible;
     }
 
-    /** Whether it is proved that they cannot be; also false where the proof is none. */
-    boolean refutes() {
-        return !solveWith() && isConclusive();
-    }
-
-    private boolean isConclusive() {
+    /** Whether the conclusions so far prove that they cannot. */
+    boolean isConclusive() {
         return new UnitPropagation(clauses).refutes(conclusions, between);
     }
 
@@ -65,6 +61,15 @@ public final class CheckedSolver {
             solver.add(clauses.all().get(told));
         }
         return solver.solve(literals);
+    }
+
+    /** Of each, whether it is true in the way that was found. */
+    boolean[] truths(int[] literals) {
+        boolean[] truths = new boolean[literals.length];
+        for (int i = 0; i < truths.length; i++) {
+            truths[i] = isTrue(literals[i]);
+        }
+        return truths;
     }
 
     /** How much has been done so far, in assignments: equal on every machine. */

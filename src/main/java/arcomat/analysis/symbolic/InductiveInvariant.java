@@ -36,12 +36,49 @@ public record InductiveInvariant(List<int[]> excluded) {
      * @param between called on the way; may throw to give up
      */
     public boolean proves(TransitionRelation relation, Runnable between) {
-        return excluded.stream().noneMatch(relation::beginsIn)
-                && new CheckedSolver(question(relation), between).refutes();
+        return gap(relation, between).isEmpty();
     }
 
+    /** What is missing; empty for a proof. As above. */
+    public Optional<InvariantGap> gap(TransitionRelation relation, Runnable between) {
+        for (int[] cube : excluded) {
+            for (boolean[] state : relation.initial()) {
+                if (TransitionRelation.isIn(state, cube)) {
+                    return Optional.of(new InvariantGap.Begins(state, cube));
+                }
+            }
+        }
+        Question question = question(relation);
+        CheckedSolver solver = new CheckedSolver(question.clauses, between);
+        if (!solver.solveWith()) {
+            return solver.isConclusive()
+                    ? Optional.empty()
+                    : Optional.of(new InvariantGap.Inconclusive());
+        }
+        return Optional.of(gap(relation, question, solver));
+    }
+
+    private InvariantGap gap(TransitionRelation relation, Question question, CheckedSolver found) {
+        boolean[] state = found.truths(relation.state());
+        boolean[] inputs = found.truths(relation.inputs());
+        for (int i = 0; i < excluded.size(); i++) {
+            if (found.isTrue(question.wrong[i])) {
+                return new InvariantGap.Leads(
+                        state, inputs, found.truths(relation.next()), excluded.get(i));
+            }
+        }
+        return new InvariantGap.Bad(state, inputs);
+    }
+
+    /**
+     * A question that has no answer where this is a proof.
+     *
+     * @param wrong literals of which one has to be true: what it leads to is in that cube
+     */
+    private record Question(Clauses clauses, int[] wrong) {}
+
     /** A step from a state that is not excluded, which is bad, or leads to one that is. */
-    private Clauses question(TransitionRelation relation) {
+    private Question question(TransitionRelation relation) {
         Clauses clauses = relation.clauses().copy();
         int[] wrong = new int[excluded.size() + 1];
         for (int i = 0; i < excluded.size(); i++) {
@@ -57,6 +94,6 @@ public record InductiveInvariant(List<int[]> excluded) {
         }
         wrong[excluded.size()] = relation.bad();
         clauses.add(wrong);
-        return clauses;
+        return new Question(clauses, wrong);
     }
 }

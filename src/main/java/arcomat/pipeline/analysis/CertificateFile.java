@@ -1,21 +1,27 @@
 package arcomat.pipeline.analysis;
 
 import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.product.Certificate;
+import arcomat.model.Invariant;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.report.verdict.CertificateText;
+import arcomat.report.verdict.CertificateText.Proof;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * The proof of a refinement as a file, for whoever doubts the tool.
@@ -39,15 +45,23 @@ record CertificateFile(String written, PathNames names) {
         }
     }
 
-    /** Nothing is written where the refinement does not hold. */
+    /** Nothing is written where the refinement does not hold, or nothing shows why. */
     void write(Promise left, Promise right, Certification proof) throws WrongUse {
-        if (proof.verdict().answer() != Answer.HOLDS) {
-            return;
+        if (!proof.certificates().isEmpty()) {
+            write(CertificateText.render(left.title(), right.title(), proof.certificates()));
         }
+    }
+
+    /** Nothing is written where nothing is proved. */
+    void write(List<Proof> proofs) throws WrongUse {
+        if (!proofs.isEmpty()) {
+            write(CertificateText.render(proofs));
+        }
+    }
+
+    private void write(String text) throws WrongUse {
         try {
-            AtomicFile.write(
-                    names.resolve(written),
-                    CertificateText.render(left.title(), right.title(), proof.certificates()));
+            AtomicFile.write(names.resolve(written), text);
         } catch (IOException e) {
             throw Failures.cannot("write to", written, e);
         }
@@ -55,10 +69,57 @@ record CertificateFile(String written, PathNames names) {
 
     /** Holds, or unknown where the file proves nothing. */
     Verdict verify(Promise left, Promise right, Budget budget) throws WrongUse {
-        List<Certificate> certificates = read();
+        List<Proof> about =
+                about(PromiseProver.title(left, right), read(), proof -> proof.title().isEmpty());
+        return verifyOne(
+                about, certificates -> Certification.problem(left, right, certificates, budget));
+    }
+
+    /** Verifies what models promise by what stands in the file. */
+    PromiseProver verifier() throws WrongUse {
+        return new Verifier(this, read());
+    }
+
+    private record Verifier(CertificateFile file, List<Proof> proofs) implements PromiseProver {
+        @Override
+        public Verdict refines(Promise left, Promise right, Budget budget) {
+            return file.verifyOne(
+                    about(PromiseProver.title(left, right), proofs, proof -> false),
+                    proof -> Certification.problem(left, right, proof, budget));
+        }
+
+        @Override
+        public Verdict keeps(Promise side, Invariant invariant, Budget budget) {
+            return file.verifyOne(
+                    about(PromiseProver.title(side, invariant), proofs, proof -> false),
+                    proof -> InvariantCertification.problem(side, invariant, proof, budget));
+        }
+    }
+
+    private static List<Proof> about(String title, List<Proof> all, Predicate<Proof> orElse) {
+        return all.stream()
+                .filter(proof -> proof.title().equals(title) || orElse.test(proof))
+                .toList();
+    }
+
+    /** Of several with one title, one has to be a proof. */
+    private Verdict verifyOne(
+            List<Proof> proofs, Function<List<Certificate>, Optional<String>> problem) {
+        Verdict verdict = Verdict.unknown("'" + written + "' has no proof of it");
+        for (Proof proof : proofs) {
+            verdict = verified(proof.certificates(), problem);
+            if (verdict.answer() == Answer.HOLDS) {
+                return verdict;
+            }
+        }
+        return verdict;
+    }
+
+    private Verdict verified(
+            List<Certificate> certificates, Function<List<Certificate>, Optional<String>> problem) {
         return Budget.within(
                 () ->
-                        Certification.problem(left, right, certificates, budget)
+                        problem.apply(certificates)
                                 .map(
                                         why ->
                                                 Verdict.unknown(
@@ -67,7 +128,7 @@ record CertificateFile(String written, PathNames names) {
                 Verdict::unknown);
     }
 
-    private List<Certificate> read() throws WrongUse {
+    private List<Proof> read() throws WrongUse {
         try {
             return CertificateText.parse(Files.readString(names.resolve(written)))
                     .orElseThrow(() -> new WrongUse("'%s' is no file of certificates", written));

@@ -1,7 +1,6 @@
 package arcomat.pipeline.analysis;
 
 import arcomat.analysis.refinement.Answered;
-import arcomat.analysis.refinement.InvariantProof;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
@@ -21,12 +20,14 @@ import java.util.Set;
 /** Proves the invariants of components, or says of each why not. */
 final class InvariantAnswers {
     private final LoweredModels models;
+    private final PromiseProver prover;
     private final Budget budget;
     private final Progress progress;
     private final List<Answered> answers = new ArrayList<>();
 
-    InvariantAnswers(LoweredModels models, Budget budget, Progress progress) {
+    InvariantAnswers(LoweredModels models, PromiseProver prover, Budget budget, Progress progress) {
         this.models = models;
+        this.prover = prover;
         this.budget = budget;
         this.progress = progress;
     }
@@ -51,7 +52,7 @@ final class InvariantAnswers {
             for (List<Value> each : arguments) {
                 Promise side = Promise.of(component, each);
                 progress.step("proving invariant " + invariant.name() + " of " + side.title());
-                Verdict verdict = InvariantProof.check(component, each, invariant, budget);
+                Verdict verdict = prover.keeps(side, invariant, budget);
                 String name = invariant.name();
                 answers.add(Answered.ofInvariant(side, name, invariant.span(), verdict));
             }

@@ -4,41 +4,76 @@ import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Obligations;
 import arcomat.analysis.refinement.Obligations.Obligation;
 import arcomat.analysis.refinement.Promise;
-import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.ModelQuestion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
-/** Shows everything that has to be shown of the models that were named. */
-public record VerifyPromises(List<String> paths, AnalysisLimits limits)
+/**
+ * Shows everything that has to be shown of the models that were named.
+ *
+ * @param certificate file to write the proofs of what holds to
+ * @param doubted file with proofs; then nothing is searched, and these are verified
+ */
+public record VerifyPromises(
+        List<String> paths,
+        Optional<String> certificate,
+        Optional<String> doubted,
+        AnalysisLimits limits)
         implements ModelQuestion<List<Answered>> {
+    public VerifyPromises(List<String> paths, AnalysisLimits limits) {
+        this(paths, Optional.empty(), Optional.empty(), limits);
+    }
+
     @Override
     public Asked asked() {
         return Asked.WHAT_IS_WHOLE;
     }
 
     @Override
-    public List<Answered> answer(LoweredModels models, Session session) {
-        return answers(models, limits.budget(), session.progress());
+    public List<Answered> answer(LoweredModels models, Session session) throws WrongUse {
+        if (doubted.isPresent()) {
+            PromiseProver verifier = new CertificateFile(doubted.get(), session.names()).verifier();
+            return answers(models, verifier, limits.budget(), session.progress());
+        }
+        return certificate.isPresent()
+                ? certified(
+                        new CertificateFile(certificate.get(), session.names()), models, session)
+                : answers(models, limits.budget(), session.progress());
+    }
+
+    private List<Answered> certified(CertificateFile file, LoweredModels models, Session session)
+            throws WrongUse {
+        file.requireReplaceable();
+        CertifyingProver prover = new CertifyingProver();
+        List<Answered> answers = answers(models, prover, limits.budget(), session.progress());
+        file.write(prover.proofs());
+        return answers;
     }
 
     /** The same of models that somebody else has read, with limits of his own. */
     public static List<Answered> answers(LoweredModels models, Budget budget, Progress progress) {
+        return answers(models, PromiseProver.ENGINE, budget, progress);
+    }
+
+    private static List<Answered> answers(
+            LoweredModels models, PromiseProver prover, Budget budget, Progress progress) {
         Obligations.All all = Obligations.of(models.model(), models.named());
         List<Answered> answers = new ArrayList<>();
         for (Obligation obligation : all.obligations()) {
             String left = obligation.left().title();
             String right = obligation.right().title();
             progress.step("comparing " + left + " with " + right);
-            Verdict verdict = Refinement.check(obligation.left(), obligation.right(), budget);
+            Verdict verdict = prover.refines(obligation.left(), obligation.right(), budget);
             List<Promise> sides = List.of(obligation.left(), obligation.right());
             answers.add(new Answered(left, right, obligation.place(), verdict, sides));
         }
@@ -48,7 +83,7 @@ public record VerifyPromises(List<String> paths, AnalysisLimits limits)
                                 answers.add(
                                         takesArguments(
                                                 models.model().component(name).orElseThrow())));
-        answers.addAll(new InvariantAnswers(models, budget, progress).all());
+        answers.addAll(new InvariantAnswers(models, prover, budget, progress).all());
         return answers;
     }
 

@@ -14,15 +14,35 @@ import java.util.stream.Stream;
 /**
  * Certificates as a file. Below a line {@code certificate} of its own stands for each pair the
  * configuration of the left side, and below it, indented, each configuration of the right side;
- * below a line {@code invariant} both states, and below them, indented, each condition.
+ * below a line {@code invariant} both states, and below them, indented, each condition; below a
+ * line {@code clauses} {@code never}, and below it, indented, what is never so all at once. A line
+ * {@code proof of} says what those below it prove.
  */
 public final class CertificateText {
     private static final String FIRST = "arcomat certificates 1";
+    private static final String TITLE = "proof of ";
     private static final Map<Form, String> BEGINNINGS =
-            Map.of(Form.PAIRS, "certificate", Form.CONDITIONS, "invariant");
+            Map.of(
+                    Form.PAIRS,
+                    "certificate",
+                    Form.CONDITIONS,
+                    "invariant",
+                    Form.CLAUSES,
+                    "clauses");
     private static final String INDENT = "    ";
 
     private CertificateText() {}
+
+    /**
+     * What certificates prove together.
+     *
+     * @param title what they are about; empty where the file does not say it
+     */
+    public record Proof(String title, List<Certificate> certificates) {
+        public Proof {
+            certificates = List.copyOf(certificates);
+        }
+    }
 
     /**
      * @param left for the reader
@@ -35,35 +55,66 @@ public final class CertificateText {
                 .append(" refines ")
                 .append(OneLine.of(right))
                 .append('\n');
-        for (Certificate certificate : certificates) {
-            out.append(BEGINNINGS.get(certificate.form())).append('\n');
-            for (Entry entry : certificate.entries()) {
-                out.append("  ").append(OneLine.of(entry.left())).append('\n');
-                entry.right().forEach(r -> out.append(INDENT).append(OneLine.of(r)).append('\n'));
-            }
+        certificates.forEach(each -> append(each, out));
+        return out.toString();
+    }
+
+    /** Proofs of several things in one file. */
+    public static String render(List<Proof> proofs) {
+        StringBuilder out = new StringBuilder(FIRST + "\n");
+        for (Proof proof : proofs) {
+            out.append(TITLE).append(OneLine.of(proof.title)).append('\n');
+            proof.certificates.forEach(each -> append(each, out));
         }
         return out.toString();
     }
 
-    /** Empty for a text that is no file of certificates. */
-    public static Optional<List<Certificate>> parse(String text) {
+    private static void append(Certificate certificate, StringBuilder out) {
+        out.append(BEGINNINGS.get(certificate.form())).append('\n');
+        for (Entry entry : certificate.entries()) {
+            out.append("  ").append(OneLine.of(entry.left())).append('\n');
+            entry.right().forEach(r -> out.append(INDENT).append(OneLine.of(r)).append('\n'));
+        }
+    }
+
+    /**
+     * Empty for a text that is no file of certificates. What stands before the first title is a
+     * proof without one.
+     */
+    public static Optional<List<Proof>> parse(String text) {
         List<String> lines = List.of(text.split("\n"));
         if (!lines.get(0).equals(FIRST)) {
             return Optional.empty();
         }
-        List<Reading> certificates = new ArrayList<>();
+        List<Titled> proofs = new ArrayList<>(List.of(new Titled("", new ArrayList<>())));
         for (String line : lines.subList(1, lines.size())) {
+            List<Reading> certificates = proofs.get(proofs.size() - 1).certificates;
             Optional<Form> beginning = beginning(line);
             if (beginning.isPresent()) {
                 certificates.add(new Reading(beginning.get(), new ArrayList<>()));
+            } else if (line.startsWith(TITLE)) {
+                String title = OneLine.read(line.substring(TITLE.length()));
+                proofs.add(new Titled(title, new ArrayList<>()));
             } else if (!line.startsWith("#") && !add(line, certificates)) {
                 return Optional.empty();
             }
         }
         return Optional.of(
-                certificates.stream()
-                        .map(each -> new Certificate(each.form, each.entries))
+                proofs.stream()
+                        .filter(each -> !each.title.isEmpty() || !each.certificates.isEmpty())
+                        .map(Titled::proof)
                         .toList());
+    }
+
+    /** A proof as far as it has been read. */
+    private record Titled(String title, List<Reading> certificates) {
+        Proof proof() {
+            return new Proof(
+                    title,
+                    certificates.stream()
+                            .map(each -> new Certificate(each.form, each.entries))
+                            .toList());
+        }
     }
 
     /** A certificate as far as it has been read. */

@@ -106,6 +106,23 @@ final class AnswerBits {
         return before.stream().mapToInt(Integer::intValue).toArray();
     }
 
+    /** What they mean. */
+    List<String> words() {
+        return configurations.stream().map(each -> "right may be in " + word(each)).toList();
+    }
+
+    /** With its name where others are described alike. */
+    private String word(int configuration) {
+        String described = right.describe(configuration);
+        boolean alone =
+                configurations.stream()
+                        .allMatch(
+                                each ->
+                                        each == configuration
+                                                || !right.describe(each).equals(described));
+        return alone ? described : described + " " + right.name(configuration);
+    }
+
     /** Those for what it may be in afterwards. */
     int[] next() {
         return IntStream.range(0, configurations.size()).map(i -> any(i)).toArray();

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * All that the parts of a network may do, whatever they read of what others may send: their tables,
@@ -38,13 +39,22 @@ public record NetworkTables(
     /**
      * What a part may do.
      *
-     * @param configurations how many there are
+     * @param where its configurations, by number
      * @param inputs signals by port; -1 where nothing is connected
      * @param outputs signals by port
      * @param delayed by output port, whether it is read a slice later
      */
     public record PartTable(
-            int configurations, int[] inputs, int[] outputs, boolean[] delayed, List<Rule> rules) {}
+            List<List<Configuration>> where,
+            int[] inputs,
+            int[] outputs,
+            boolean[] delayed,
+            List<Rule> rules) {
+        /** How many there are. */
+        public int configurations() {
+            return where.size();
+        }
+    }
 
     /**
      * What a part does in a configuration, with messages that it does not tell apart.
@@ -195,8 +205,9 @@ public record NetworkTables(
             for (int port = 0; port < outputs.length; port++) {
                 delayed[port] = network.delayed[outputs[port]];
             }
+            PartOutcomes outcomes = network.parts.get(part);
             return new PartTable(
-                    network.parts.get(part).size(),
+                    IntStream.range(0, outcomes.size()).mapToObj(outcomes::configuration).toList(),
                     ints(instance.inputSignals()),
                     outputs,
                     delayed,

@@ -22,8 +22,18 @@ public record Certificate(Form form, List<Entry> entries) {
          * both, such that every step out of what they allow is answered by one that leads to what
          * they allow.
          */
-        CONDITIONS
+        CONDITIONS,
+
+        /**
+         * What is never so all at once, of parts of the left side, of what they have sent, and of
+         * what the right side may be in: no run begins there, and no step leads there from
+         * elsewhere, or is forbidden.
+         */
+        CLAUSES
     }
+
+    /** What stands before what is never so. */
+    public static final String NEVER = "never";
 
     public Certificate {
         entries = List.copyOf(entries);
@@ -34,11 +44,18 @@ public record Certificate(Form form, List<Entry> entries) {
         this(Form.PAIRS, entries);
     }
 
+    /** Of what is never so all at once. */
+    public static Certificate ofClauses(List<List<String>> never) {
+        return new Certificate(
+                Form.CLAUSES, never.stream().map(each -> new Entry(NEVER, each)).toList());
+    }
+
     /**
-     * A pair.
+     * A pair, or a clause.
      *
-     * @param left name of the configuration; of conditions, the names of both states
-     * @param right names of configurations, or conditions
+     * @param left name of the configuration; of conditions, the names of both states; of clauses
+     *     {@link #NEVER}
+     * @param right names of configurations, or conditions, or what is so
      */
     public record Entry(String left, List<String> right) {
         public Entry {

@@ -7,6 +7,7 @@ import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
@@ -69,8 +70,8 @@ final class SymbolicTurns {
         return progress == Progress.PROVED;
     }
 
-    /** Of how many clauses the invariant is that was found and checked; empty where none was. */
-    Optional<Integer> invariant() {
+    /** The invariant that was found and checked, clause by clause; empty where none was. */
+    Optional<List<List<String>>> invariant() {
         return engine != null && progress == Progress.PROVED
                 ? Optional.of(engine.clauses())
                 : Optional.empty();

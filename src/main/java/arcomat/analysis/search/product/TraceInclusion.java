@@ -394,8 +394,17 @@ public final class TraceInclusion {
         return product.missing();
     }
 
-    /** Why it holds: the pairs that show the inclusion, of a search that found no failure. */
-    public Certificate certificate() {
+    /**
+     * Why it holds, of a search that found no failure: the clauses, or the pairs that show the
+     * inclusion; empty where these are packed.
+     */
+    public Optional<Certificate> certificate() {
+        return symbolic.invariant()
+                .map(Certificate::ofClauses)
+                .or(() -> packed == null ? Optional.of(pairsMet()) : Optional.empty());
+    }
+
+    private Certificate pairsMet() {
         List<Certificate.Entry> entries = new ArrayList<>();
         for (int node = 0; node < pairs.size(); node++) {
             entries.add(entry(pairs.left(node), product.sets.members(pairs.set(node))));
@@ -430,7 +439,7 @@ public final class TraceInclusion {
      * that did.
      */
     public Optional<Integer> invariant() {
-        return symbolic.invariant();
+        return symbolic.invariant().map(List::size);
     }
 
     /** How many pairs were explored so far. */

@@ -182,6 +182,11 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
         return NetworkTables.of(packed, messages, states, most, rules);
     }
 
+    /** Words for its parts and signals. */
+    public NetworkWords words() {
+        return new NetworkWords(network, unfolding.behaviours());
+    }
+
     /** The signals of inputs. */
     public int[] inputSignals() {
         return network.inputs().stream().mapToInt(Network.External::signal).toArray();

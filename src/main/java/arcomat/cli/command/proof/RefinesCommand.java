@@ -62,7 +62,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
     @Option(
             names = "--certificate",
             paramLabel = "FILE",
-            description = "Where it holds, write down why, pair by pair.")
+            description = "Where it holds, write down why: pairs, or clauses.")
     private String certificate;
 
     @Option(

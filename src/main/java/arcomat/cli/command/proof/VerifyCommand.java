@@ -25,9 +25,11 @@ import arcomat.report.verdict.VerdictPage;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
+import java.util.Optional;
 
 /** {@code arcomat verify}: whether models keep all promises that they say they keep. */
 @CommandLine.Command(
@@ -43,6 +45,18 @@ import java.util.List;
                     + " errors."
         })
 public final class VerifyCommand extends LimitedCommand {
+    @Option(
+            names = "--certificate",
+            paramLabel = "FILE",
+            description = "Of all that holds, write down why.")
+    private String certificate;
+
+    @Option(
+            names = "--verify-certificate",
+            paramLabel = "FILE",
+            description = "Search nothing: verify such a file.")
+    private String doubted;
+
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
@@ -50,8 +64,19 @@ public final class VerifyCommand extends LimitedCommand {
 
     @Override
     protected int run(Session session) throws WrongUse {
+        if (certificate != null && doubted != null) {
+            throw new WrongUse(
+                    "--verify-certificate searches nothing, so there is nothing to write for"
+                            + " --certificate; leave one of them out");
+        }
         reports.prepare(session);
-        CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
+        CheckedAnswer<List<Answered>> reply =
+                session.run(
+                        new VerifyPromises(
+                                paths,
+                                Optional.ofNullable(certificate),
+                                Optional.ofNullable(doubted),
+                                limits()));
         tellAside(reply.check());
         if (reply.value().isEmpty()) {
             CheckRendering findings =

@@ -47,7 +47,13 @@ class CheckedInvariantTest {
 
     private static Progress answer(Optional<InductiveInvariant> found) {
         Budget budget = new Budget(() -> false, 1_000);
-        return new SymbolicInclusion(lamps(), new Claim(found), budget).work(1);
+        return new SymbolicInclusion(named(), new Claim(found), budget).work(1);
+    }
+
+    private static InclusionBits named() {
+        StateWords.Collector words = new StateWords.Collector();
+        words.each(List.of("first", "second", "third"));
+        return new InclusionBits(lamps(), words.words(List.of()), List.of());
     }
 
     /** The first two lamps change places; a step is bad where the third one is on: it never is. */
