@@ -21,6 +21,7 @@ final class Laws {
                     new EnginesAgree(),
                     new MonaAgrees(),
                     new InvariantsAsTheReference(),
+                    new CertificatesProve.OfInvariants(),
                     new WhyNothingFired(),
                     new MapsAsDefined(),
                     new ConfigurationsAsByHand(),

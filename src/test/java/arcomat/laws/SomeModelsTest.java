@@ -33,6 +33,11 @@ class SomeModelsTest {
         assertThat(answers.get(Answer.FAILS)).isGreaterThan(60);
     }
 
+    @Test
+    void whatHoldsOfAnInvariantHasACertificate() {
+        assertThat(tried(new CertificatesProve.OfInvariants(), 150)).hasSizeGreaterThan(30);
+    }
+
     private static Stream<Answer> answers(Component component) {
         return component.invariants().stream()
                 .map(each -> InvariantProof.check(component, List.of(), each, Questions.budget()))

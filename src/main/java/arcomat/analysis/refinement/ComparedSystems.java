@@ -145,7 +145,7 @@ public record ComparedSystems(
      *
      * @param work as {@link SymbolicInclusion#work} has it
      */
-    Optional<Certificate> clauses(long work, Budget budget) {
+    public Optional<Certificate> clauses(long work, Budget budget) {
         return symbolic(budget)
                 .filter(engine -> engine.work(work) == Progress.PROVED)
                 .map(engine -> Certificate.ofClauses(engine.clauses()));

@@ -91,15 +91,19 @@ public record Verdict(
         long pairs = entries(certificates.stream().filter(c -> c.form() != Form.CLAUSES));
         List<String> sizes = new ArrayList<>();
         if (certificates.stream().anyMatch(c -> c.form() != Form.CLAUSES)) {
-            sizes.add(pairs == 1 ? "1 pair" : pairs + " pairs");
+            sizes.add(size(pairs, "pair"));
         }
         if (certificates.stream().anyMatch(c -> c.form() == Form.CLAUSES)) {
-            sizes.add(clauses == 1 ? "1 clause" : clauses + " clauses");
+            sizes.add(size(clauses, "clause"));
         }
         return holds(
                 Optional.empty(),
                 List.of("verified: a certificate with " + String.join(" and ", sizes)),
                 Explored.NOTHING);
+    }
+
+    private static String size(long count, String what) {
+        return count == 1 ? "1 " + what : (count == 0 ? "no" : count) + " " + what + "s";
     }
 
     private static long entries(Stream<Certificate> certificates) {

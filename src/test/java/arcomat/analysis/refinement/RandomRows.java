@@ -14,7 +14,7 @@ import java.util.Random;
  * left, inputs that are forbidden, several automata, with delay and without. Beside them stands a
  * component of which little is asked.
  */
-final class RandomRows {
+public final class RandomRows {
     private final Random random;
     private final List<SourceFile> files = new ArrayList<>();
     private final int most;
@@ -24,7 +24,7 @@ final class RandomRows {
     /** Whether what the last part sends is seen a slice later. */
     private final boolean late;
 
-    RandomRows(long seed) {
+    public RandomRows(long seed) {
         this(seed, false);
     }
 
@@ -34,7 +34,7 @@ final class RandomRows {
     }
 
     /** Parts of one kind in equal places, but for some, and one that looks at them all. */
-    static RandomRows equal(long seed) {
+    public static RandomRows equal(long seed) {
         return new RandomRows(new Random(seed));
     }
 
@@ -122,7 +122,7 @@ final class RandomRows {
                 promise("s -> t [i == 1] / {o = 0};\n t [i == 0] / {o = 1};\n t [i == 1] / {};"));
     }
 
-    Promise whole(String name) {
+    public Promise whole(String name) {
         Model model = ReadModels.model(files);
         Component component = model.component("r." + name).orElseThrow();
         return Promise.of(component, List.of());

@@ -33,8 +33,9 @@ public final class StateWords {
      * @param text what is so where a bit is true
      * @param contrary what is so where it is not
      * @param certain whether it is always true, so that it need not be told
+     * @param possible whether it may be true
      */
-    private record Word(String text, String contrary, boolean certain) {}
+    private record Word(String text, String contrary, boolean certain, boolean possible) {}
 
     private StateWords(List<Word> states, List<String> inputs) {
         this.states = List.copyOf(states);
@@ -53,7 +54,7 @@ public final class StateWords {
 
         /** Which do not depend on each other; one that is alone is true. */
         void each(List<String> texts) {
-            texts.forEach(text -> words.add(new Word(text, NOT + text, texts.size() == 1)));
+            texts.forEach(text -> words.add(new Word(text, NOT + text, texts.size() == 1, true)));
         }
 
         /**
@@ -69,10 +70,10 @@ public final class StateWords {
                             .toList();
             for (int i = 0; i < texts.size(); i++) {
                 String text = texts.get(i);
-                words.add(
-                        possible.get(i) && all.size() == 2
-                                ? new Word(text, all.get(1 - all.indexOf(text)), false)
-                                : new Word(text, NOT + text, all.size() == 1));
+                boolean isOne = possible.get(i);
+                String contrary =
+                        isOne && all.size() == 2 ? all.get(1 - all.indexOf(text)) : NOT + text;
+                words.add(new Word(text, contrary, isOne && all.size() == 1, isOne));
             }
         }
 
@@ -107,6 +108,7 @@ public final class StateWords {
         Matcher about = ABOUT.matcher(plain);
         return about.find()
                 ? states.stream()
+                        .filter(Word::possible)
                         .map(Word::text)
                         .filter(each -> each.startsWith(about.group()))
                         .limit(MOST_NAMED)

@@ -123,9 +123,11 @@ public final class ClauseCheck {
         }
 
         private String step(boolean[] state, boolean[] inputs) {
+            String from = words.state(state);
             String letter = words.input(inputs);
-            return "a step out of (%s)%s"
-                    .formatted(words.state(state), letter.isEmpty() ? "" : " with " + letter);
+            return "a step"
+                    + (from.isEmpty() ? "" : " out of (" + from + ")")
+                    + (letter.isEmpty() ? "" : " with " + letter);
         }
 
         private String all(int[] cube) {

@@ -2,11 +2,17 @@ package arcomat.analysis.search.encoding;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
+import arcomat.analysis.search.product.Certificate;
 import arcomat.model.Component;
+import arcomat.model.Invariant;
+import arcomat.model.Model;
 import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
 
@@ -57,17 +63,87 @@ class WideInvariantTest {
                 .collect(Collectors.joining(" && "));
     }
 
+    private static final String BELOW =
+            """
+            component Below {
+                port <<total>> in Integer[0..1] e, <<total>> out Integer[0..2] last;
+                <<completion = "error">> automaton {
+                    state s;
+                    initial s / {last = 0};
+                    s / {last = 0};
+                    s / {last = 1};
+                }
+            }
+            """;
+
+    private static Model model(String invariant) {
+        return ReadModels.model(
+                new SourceFile("Cell.arc", CELL),
+                new SourceFile("Below.arc", BELOW),
+                new SourceFile("Row.arc", row(invariant)),
+                new SourceFile("Shown.arc", shown(row(invariant))));
+    }
+
+    /** Shows what the last cell sends. */
+    private static String shown(String row) {
+        return row.replace("Row", "Shown")
+                .replace(" e;", " e, <<total>> out Integer[0..2] last;")
+                .replace("inv safe", "connect c%d.o -> last;%n    inv safe".formatted(CELLS - 1));
+    }
+
+    private static Budget budget(boolean symbolic) {
+        return new Budget(() -> false, MOST_PAIRS)
+                .with(each -> each != Shortcut.SYMBOLIC || symbolic);
+    }
+
     private static Answer verdict(String invariant, boolean symbolic) {
-        Component row =
-                ReadModels.model(
-                                new SourceFile("Cell.arc", CELL),
-                                new SourceFile("Row.arc", row(invariant)))
-                        .component("Row")
-                        .orElseThrow();
-        Budget budget =
-                new Budget(() -> false, MOST_PAIRS)
-                        .with(each -> each != Shortcut.SYMBOLIC || symbolic);
-        return InvariantProof.check(row, List.of(), row.invariants().get(0), budget).answer();
+        Component row = model(invariant).component("Row").orElseThrow();
+        return InvariantProof.check(row, List.of(), row.invariants().get(0), budget(symbolic))
+                .answer();
+    }
+
+    /** By clauses, which another check accepts. */
+    @Test
+    void whatIsProvedIsWrittenDown() {
+        Promise asked = asked(all("c%d.o != 2"));
+        Invariant safe = asked.component().invariants().get(0);
+        Certification proof = InvariantCertification.of(asked, safe, budget(true));
+        assertThat(proof.verdict().answer()).isEqualTo(Answer.HOLDS);
+        assertThat(proof.certificates()).singleElement().satisfies(WideInvariantTest::isOfClauses);
+        assertThat(
+                        InvariantCertification.problem(
+                                asked, safe, proof.certificates(), budget(true)))
+                .isEmpty();
+        Promise other = asked(all("c%d.o != 2") + " && c%d.o != 1".formatted(CELLS - 1));
+        assertThat(
+                        InvariantCertification.problem(
+                                other,
+                                other.component().invariants().get(0),
+                                proof.certificates(),
+                                budget(true)))
+                .isPresent();
+    }
+
+    private static Promise asked(String invariant) {
+        return Promise.of(model(invariant).component("Row").orElseThrow(), List.of());
+    }
+
+    @Test
+    void whatRefinesIsWrittenDown() {
+        Model model = model("c0.o != 2");
+        Promise left = Promise.of(model.component("Shown").orElseThrow(), List.of());
+        Promise right = Promise.of(model.component("Below").orElseThrow(), List.of());
+        Certification proof = Certification.of(left, right, budget(true));
+        assertThat(proof.verdict().answer()).isEqualTo(Answer.HOLDS);
+        assertThat(proof.certificates()).singleElement().satisfies(WideInvariantTest::isOfClauses);
+        assertThat(Certification.problem(left, right, proof.certificates(), budget(true)))
+                .isEmpty();
+        assertThat(Certification.of(left, right, budget(false)).verdict().answer())
+                .isEqualTo(Answer.UNKNOWN);
+    }
+
+    private static void isOfClauses(Certificate certificate) {
+        assertThat(certificate.form()).isEqualTo(Certificate.Form.CLAUSES);
     }
 
     @Test
