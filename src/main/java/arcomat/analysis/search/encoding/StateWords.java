@@ -7,8 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -19,9 +17,10 @@ public final class StateWords {
     private static final String NOT = "not ";
     private static final int MOST_NAMED = 20;
 
-    /** The part or the signal, before what is said of it. */
-    private static final Pattern ABOUT = Pattern.compile("^.*?(: | = | may be in )");
+    /** What stands between a part or a signal and what is said of it. */
+    private static final List<String> SAYING = List.of(": ", " = ", " may be in ");
 
+    /** By position. */
     private final List<Word> states;
 
     /** By position; there may be further inputs, which choose. */
@@ -105,15 +104,19 @@ public final class StateWords {
     /** What else may be said of the same part or signal, as far as there is something. */
     public List<String> others(String word) {
         String plain = word.startsWith(NOT) ? word.substring(NOT.length()) : word;
-        Matcher about = ABOUT.matcher(plain);
-        return about.find()
-                ? states.stream()
+        int end = SAYING.stream().mapToInt(plain::indexOf).filter(i -> i >= 0).min().orElse(-1);
+        return end < 0
+                ? List.of()
+                : states.stream()
                         .filter(Word::possible)
                         .map(Word::text)
-                        .filter(each -> each.startsWith(about.group()))
+                        .filter(each -> isAbout(each, plain.substring(0, end)))
                         .limit(MOST_NAMED)
-                        .toList()
-                : List.of();
+                        .toList();
+    }
+
+    private static boolean isAbout(String text, String about) {
+        return SAYING.stream().anyMatch(saying -> text.startsWith(about + saying));
     }
 
     /** All that is so in a state, but for what always is. */

@@ -38,6 +38,17 @@ class CheckedInvariantTest {
         assertThat(answer(excluding(3))).isEqualTo(Progress.PROVED);
     }
 
+    @Test
+    void whatTwoAreCalledHasNoMeaning() {
+        StateWords.Collector collector = new StateWords.Collector();
+        collector.each(List.of("x: s", "y: s", "y: s"));
+        StateWords words = collector.words(List.of());
+        assertThat(words.literal("x: s")).hasValue(1);
+        assertThat(words.literal("not x: s")).hasValue(-1);
+        assertThat(words.literal("y: s")).isEmpty();
+        assertThat(words.literal("not y: s")).isEmpty();
+    }
+
     /** That none of some lamps is ever on. */
     private static Optional<InductiveInvariant> excluding(int... lamps) {
         return Optional.of(
