@@ -1,14 +1,14 @@
 package arcomat.laws;
 
 import arcomat.analysis.refinement.Certification;
-import arcomat.analysis.refinement.Promise;
-import arcomat.analysis.refinement.Verdict;
-import arcomat.laws.draw.Draw;
 import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Certificate.Entry;
+import arcomat.laws.draw.Draw;
 import arcomat.model.Component;
 import arcomat.model.Invariant;
 import arcomat.source.SourceFile;
@@ -73,8 +73,8 @@ final class CertificatesProve implements Law {
     }
 
     /**
-     * An invariant that holds has a certificate that can be verified, and that proves none that fails,
-     * whole or without a part of it.
+     * An invariant that holds has a certificate that can be verified, and that proves none that
+     * fails, whole or without a part of it.
      */
     static final class OfInvariants implements Law {
         private static final String COMMAND = "verify " + Pairs.LEFT;
@@ -97,7 +97,8 @@ final class CertificatesProve implements Law {
             List<Invariant> failing = new ArrayList<>();
             for (Invariant each : component.invariants()) {
                 Answer answer =
-                        InvariantProof.check(component, List.of(), each, Questions.budget()).answer();
+                        InvariantProof.check(component, List.of(), each, Questions.budget())
+                                .answer();
                 Certification proof = InvariantCertification.of(asked, each, Questions.budget());
                 if (proof.verdict().answer() != answer) {
                     return Outcome.broken(
@@ -119,7 +120,8 @@ final class CertificatesProve implements Law {
                 for (Certificate certificate : found) {
                     for (Certificate some : weaker(certificate)) {
                         if (problem(asked, each, some).isEmpty()) {
-                            return Outcome.broken("a certificate proves what fails: " + some, COMMAND);
+                            return Outcome.broken(
+                                    "a certificate proves what fails: " + some, COMMAND);
                         }
                     }
                 }

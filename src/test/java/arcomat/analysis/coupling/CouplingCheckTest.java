@@ -60,7 +60,11 @@ class CouplingCheckTest {
         String expected = section.lines().get(0);
         List<String> proof = section.lines().subList(1, section.lines().size());
         String text = "arcomat certificates 1\ninvariant\n" + String.join("\n", proof);
-        String said = problem(model, section, CertificateText.parse(text).orElseThrow().get(0).certificates());
+        String said =
+                problem(
+                        model,
+                        section,
+                        CertificateText.parse(text).orElseThrow().get(0).certificates());
         assertThat(said).contains(expected);
     }
 

@@ -31,8 +31,7 @@ import java.util.stream.IntStream;
  * @param words what the bits mean
  * @param granted cubes that an invariant excludes without saying it; they are checked like others
  */
-public record InclusionBits(
-        TransitionRelation relation, StateWords words, List<int[]> granted) {
+public record InclusionBits(TransitionRelation relation, StateWords words, List<int[]> granted) {
     public InclusionBits {
         granted = List.copyOf(granted);
     }

@@ -66,7 +66,10 @@ public final class SymbolicInclusion {
     public List<List<String>> clauses() {
         return search.invariant().stream()
                 .flatMap(found -> found.excluded().stream())
-                .filter(cube -> bits.granted().stream().noneMatch(each -> Arrays.equals(each, cube)))
+                .filter(
+                        cube ->
+                                bits.granted().stream()
+                                        .noneMatch(each -> Arrays.equals(each, cube)))
                 .map(SymbolicInclusion::inOrder)
                 .sorted(Arrays::compare)
                 .map(cube -> IntStream.of(cube).mapToObj(bits.words()::of).toList())

@@ -126,8 +126,7 @@ class ClauseCertificatesTest {
         }
         Budget explicit = BUDGET.with(rule -> rule != Shortcut.SYMBOLIC);
         Answer answer = Refinement.compare(left, right, explicit).answer();
-        Optional<Certificate> found =
-                ComparedSystems.of(left, right, BUDGET).clauses(WORK, BUDGET);
+        Optional<Certificate> found = ComparedSystems.of(left, right, BUDGET).clauses(WORK, BUDGET);
         if (answer == Answer.FAILS) {
             assertThat(found).as(text).isEmpty();
             failed++;

@@ -110,9 +110,7 @@ class WideInvariantTest {
         Certification proof = InvariantCertification.of(asked, safe, budget(true));
         assertThat(proof.verdict().answer()).isEqualTo(Answer.HOLDS);
         assertThat(proof.certificates()).singleElement().satisfies(WideInvariantTest::isOfClauses);
-        assertThat(
-                        InvariantCertification.problem(
-                                asked, safe, proof.certificates(), budget(true)))
+        assertThat(InvariantCertification.problem(asked, safe, proof.certificates(), budget(true)))
                 .isEmpty();
         Promise other = asked(all("c%d.o != 2") + " && c%d.o != 1".formatted(CELLS - 1));
         assertThat(
