@@ -23,7 +23,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
     static final long WORK = 4_000_000;
 
     /** What is said where nothing can be written down. */
-    static final String NONE = "no certificate was found within the limits";
+    public static final String NONE = "no certificate was found within the limits";
 
     /** So many pairs are searched unpacked, so that they can be written down at once. */
     private static final long FEW_PAIRS = 20_000;

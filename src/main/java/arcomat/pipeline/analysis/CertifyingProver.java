@@ -4,6 +4,7 @@ import arcomat.analysis.refinement.Certification;
 import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Invariant;
 import arcomat.report.verdict.CertificateText.Proof;
@@ -18,7 +19,14 @@ final class CertifyingProver implements PromiseProver {
     @Override
     public Verdict refines(Promise left, Promise right, Budget budget) {
         Certification found = Certification.of(left, right, budget);
-        return remembered(PromiseProver.title(left, right), found);
+        return found.verdict().answer() == Answer.UNKNOWN
+                ? unwritten(ENGINE.refines(left, right, budget))
+                : remembered(PromiseProver.title(left, right), found);
+    }
+
+    /** Part by part, what is too much for a certificate may be shown. */
+    private static Verdict unwritten(Verdict verdict) {
+        return verdict.answer() == Answer.HOLDS ? verdict.with(Certification.NONE) : verdict;
     }
 
     @Override
