@@ -71,7 +71,7 @@ public final class SymbolicInclusion {
                                 bits.granted().stream()
                                         .noneMatch(each -> Arrays.equals(each, cube)))
                 .map(SymbolicInclusion::inOrder)
-                .sorted(Arrays::compare)
+                .sorted(SymbolicInclusion::compare)
                 .map(cube -> IntStream.of(cube).mapToObj(bits.words()::of).toList())
                 .toList();
     }
@@ -83,6 +83,15 @@ public final class SymbolicInclusion {
                 .sorted(Comparator.comparingInt(Math::abs))
                 .mapToInt(Integer::intValue)
                 .toArray();
+    }
+
+    private static int compare(int[] one, int[] other) {
+        for (int i = 0; i < one.length && i < other.length; i++) {
+            if (one[i] != other[i]) {
+                return Integer.compare(one[i], other[i]);
+            }
+        }
+        return Integer.compare(one.length, other.length);
     }
 
     private boolean isProved() {
