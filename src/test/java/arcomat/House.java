@@ -8,7 +8,10 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** The classes of the tool, room by room. */
+/**
+ * The classes of the tool, room by room. Of others only the names are asked: {@code
+ * archunit.properties} has nobody read those of libraries and of Java.
+ */
 final class House {
     static final JavaClasses CLASSES =
             new ClassFileImporter()

@@ -14,8 +14,11 @@ import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit.Comment;
 
 import java.lang.reflect.RecordComponent;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A tree as text, without places: {@code (Kind field: value ..)}, what is absent left out. Two
@@ -24,13 +27,18 @@ import java.util.Optional;
 public final class TreeText {
     private static final int WIDTH = 100;
 
+    private static final Map<Class<?>, RecordComponent[]> FIELDS = new ConcurrentHashMap<>();
+
+    /** Parts are asked for their texts at each line that could hold them. */
+    private final Map<Object, String> flats = new IdentityHashMap<>();
+
     private TreeText() {}
 
     public static String of(Object node) {
-        return pretty(node, "") + "\n";
+        return new TreeText().pretty(node, "") + "\n";
     }
 
-    private static String pretty(Object value, String indent) {
+    private String pretty(Object value, String indent) {
         String flat = flat(value);
         if (indent.length() + flat.length() <= WIDTH || isOneLine(value)) {
             return flat;
@@ -45,7 +53,7 @@ public final class TreeText {
             return pretty(optional.get(), indent);
         }
         StringBuilder text = new StringBuilder("(" + value.getClass().getSimpleName());
-        for (RecordComponent field : value.getClass().getRecordComponents()) {
+        for (RecordComponent field : fields(value)) {
             Object content = content(value, field);
             if (isShown(content)) {
                 text.append("\n").append(inner).append(field.getName()).append(": ");
@@ -55,12 +63,21 @@ public final class TreeText {
         return text.append(")").toString();
     }
 
-    private static String flat(Object value) {
+    private String flat(Object value) {
+        String known = flats.get(value);
+        if (known == null) {
+            known = written(value);
+            flats.put(value, known);
+        }
+        return known;
+    }
+
+    private String written(Object value) {
         if (value instanceof Optional<?> optional) {
             return flat(optional.get());
         }
         if (value instanceof List<?> list) {
-            return "[" + String.join(" ", list.stream().map(TreeText::flat).toList()) + "]";
+            return "[" + String.join(" ", list.stream().map(this::flat).toList()) + "]";
         }
         if (value instanceof Reference reference) {
             return reference.name().text();
@@ -96,7 +113,7 @@ public final class TreeText {
             return value.toString();
         }
         StringBuilder text = new StringBuilder("(" + value.getClass().getSimpleName());
-        for (RecordComponent field : value.getClass().getRecordComponents()) {
+        for (RecordComponent field : fields(value)) {
             Object content = content(value, field);
             if (isShown(content)) {
                 text.append(" ").append(field.getName()).append(": ").append(flat(content));
@@ -119,6 +136,10 @@ public final class TreeText {
 
     private static String quoted(String text) {
         return "'" + text.replaceAll("\\s+", " ").strip() + "'";
+    }
+
+    private static RecordComponent[] fields(Object value) {
+        return FIELDS.computeIfAbsent(value.getClass(), Class::getRecordComponents);
     }
 
     private static Object content(Object value, RecordComponent field) {

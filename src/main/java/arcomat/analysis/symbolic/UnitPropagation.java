@@ -17,6 +17,9 @@ final class UnitPropagation {
     /** Per literal. */
     private final boolean[] isTrue;
 
+    /** Per literal, while a clause is read. */
+    private final boolean[] isMet;
+
     private final IntArrayList trail = new IntArrayList();
     private int done;
 
@@ -26,6 +29,7 @@ final class UnitPropagation {
     UnitPropagation(Clauses clauses) {
         int literals = 2 * clauses.variables() + 2;
         isTrue = new boolean[literals];
+        isMet = new boolean[literals];
         for (int i = 0; i < literals; i++) {
             watching.add(new ArrayList<>());
         }
@@ -84,7 +88,7 @@ final class UnitPropagation {
     }
 
     private void add(int[] clause) {
-        int[] own = Arrays.stream(clause).distinct().toArray();
+        int[] own = distinct(clause);
         int free = 0;
         for (int i = 0; i < own.length && free < 2; i++) {
             if (!isFalse(own[i])) {
@@ -102,6 +106,22 @@ final class UnitPropagation {
             assume(own[0]);
             refuted |= !propagate();
         }
+    }
+
+    /** Its literals, each once: two places of one literal are no two that may be true. */
+    private int[] distinct(int[] clause) {
+        int[] own = new int[clause.length];
+        int size = 0;
+        for (int literal : clause) {
+            if (!isMet[place(literal)]) {
+                isMet[place(literal)] = true;
+                own[size++] = literal;
+            }
+        }
+        for (int i = 0; i < size; i++) {
+            isMet[place(own[i])] = false;
+        }
+        return size == own.length ? own : Arrays.copyOf(own, size);
     }
 
     /** Whether all clauses can still be true. */

@@ -194,9 +194,11 @@ public final class Dependencies {
     private List<String> neededBy(FileInterface file) {
         List<String> needed = claimants(file);
         for (String word : file.mentions()) {
-            offering.getOrDefault(word, List.of()).stream()
-                    .filter(other -> refers(file, file(other)))
-                    .forEach(needed::add);
+            for (String other : offering.getOrDefault(word, List.of())) {
+                if (refers(file, file(other))) {
+                    needed.add(other);
+                }
+            }
         }
         return needed;
     }
