@@ -1,18 +1,6 @@
 // The core in a worker: what is asked comes back as a promise. A worker that is stopped is replaced by a new one.
 
-const CORE = 'core';
 const LAYOUT = 'layout';
-
-function codeOf(name) {
-    return document.getElementById('code-' + name).textContent;
-}
-
-function begin(parts) {
-    const url = URL.createObjectURL(new Blob(parts.map(codeOf), { type: 'text/javascript' }));
-    const worker = new Worker(url);
-    worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true });
-    return worker;
-}
 
 /** Answers in the order of the questions. */
 export class Desk {
@@ -23,7 +11,7 @@ export class Desk {
     }
 
     start() {
-        this.worker = begin([CORE, 'worker']);
+        this.worker = takeCore();
         this.worker.onmessage = (event) => this.take(event.data);
     }
 

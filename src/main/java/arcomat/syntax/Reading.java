@@ -4,6 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.runtime.EarlierFirst;
 import arcomat.syntax.runtime.FilledTokens;
 import arcomat.tree.Unit.Comment;
 
@@ -129,6 +130,8 @@ record Reading(
         ArcomatParser parser = new ArcomatParser(tokens);
         parser.removeErrorListeners();
         parser.setErrorHandler(strategy);
+        // "a == b" is an equation and an expression; an equation goes on as the expression would.
+        parser.setInterpreter(new EarlierFirst(parser, ArcomatParser.RULE_item));
         parser.getInterpreter().setPredictionMode(mode);
         return parser;
     }

@@ -45,6 +45,8 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
         }
         if (empty) {
             findings.add(Language.of(file).nothingDefined(file, 0));
+        } else if (findings.isEmpty()) {
+            findings.addAll(InvariantEnd.missing(file, tokens));
         }
         return findings;
     }

@@ -3,6 +3,8 @@ package arcomat.tree;
 import arcomat.source.Span;
 import arcomat.tree.TypeReference.TypeArgument;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -46,7 +48,13 @@ public record Component(
 
     /** The elements of one kind, in text order. */
     public <E extends Element> List<E> elements(Class<E> kind) {
-        return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
+        List<E> found = new ArrayList<>();
+        for (Element each : elements) {
+            if (kind.isInstance(each)) {
+                found.add(kind.cast(each));
+            }
+        }
+        return Collections.unmodifiableList(found);
     }
 
     /** The same component with other things in its body. */

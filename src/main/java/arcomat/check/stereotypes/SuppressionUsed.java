@@ -8,6 +8,7 @@ import arcomat.check.law.Suppressions.Suppression;
 import arcomat.source.Severity;
 
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -30,13 +31,18 @@ public final class SuppressionUsed implements Check {
     public static Findings unused(
             Suppressions all, Collection<Suppression> used, List<Law> laws, Profile profile) {
         Findings findings = new Findings(CODE, Severity.WARNING);
+        Set<Suppression> idle = new LinkedHashSet<>(all.all());
+        idle.removeAll(used);
+        if (idle.isEmpty()) {
+            return findings; // as nearly always
+        }
         Set<String> judged =
                 laws.stream()
                         .filter(law -> isJudged(law) && law.severity(profile).isPresent())
                         .map(Law::code)
                         .collect(Collectors.toSet());
-        for (Suppression each : all.all()) {
-            if (!used.contains(each) && judged.contains(each.code())) {
+        for (Suppression each : idle) {
+            if (judged.contains(each.code())) {
                 findings.report(
                         each.place(),
                         "there is no finding %s here to suppress; delete the suppression",

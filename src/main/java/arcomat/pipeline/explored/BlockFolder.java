@@ -178,6 +178,16 @@ final class BlockFolder implements ExternalMemory, Closeable {
                 folder.resolve(STATE),
                 StandardCopyOption.ATOMIC_MOVE,
                 StandardCopyOption.REPLACE_EXISTING);
+        forceNames();
+    }
+
+    /** Only then the state is found under its name after the machine went down. */
+    private void forceNames() {
+        try (FileChannel names = FileChannel.open(folder, StandardOpenOption.READ)) {
+            names.force(true);
+        } catch (IOException notHere) {
+            // Windows opens no folders, and keeps names by itself.
+        }
     }
 
     @Override

@@ -1,10 +1,9 @@
 package arcomat.symbols.names;
 
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.StringTokenizer;
 
 /**
  * The public types of the packages of Java 17 that models may name as messages. A table, so that a
@@ -171,13 +170,18 @@ final class JavaLibrary {
                 LongStream.LongMapMultiConsumer Stream.Builder/1 Stream/1 StreamSupport
             """;
 
-    private static final Map<String, Entry> TYPES = new HashMap<>();
-    private static final Set<String> PACKAGES = new HashSet<>();
+    /** The types of each package by their names there; read where somebody asks for one. */
+    private static final Map<String, Lazy<Map<String, Entry>>> PACKAGES = new HashMap<>();
 
     static {
         // Browsers have no String.lines.
-        for (String line : TABLE.replace("\n    ", " ").split("\n")) {
-            add(line);
+        for (int at = 0; at < TABLE.length(); ) {
+            int colon = TABLE.indexOf(':', at);
+            int next = TABLE.indexOf("\njava", colon) + 1;
+            int end = next == 0 ? TABLE.length() : next;
+            String words = TABLE.substring(colon + 1, end);
+            PACKAGES.put(TABLE.substring(at, colon), new Lazy<>(() -> types(words)));
+            at = end;
         }
     }
 
@@ -191,24 +195,37 @@ final class JavaLibrary {
 
     private JavaLibrary() {}
 
-    private static void add(String line) {
-        int colon = line.indexOf(':');
-        String home = line.substring(0, colon);
-        PACKAGES.add(home);
-        for (String word : line.substring(colon + 1).strip().split(" ")) {
+    private static Map<String, Entry> types(String words) {
+        Map<String, Entry> types = new HashMap<>();
+        StringTokenizer each = new StringTokenizer(words);
+        while (each.hasMoreTokens()) {
+            String word = each.nextToken();
             boolean few = word.endsWith("!");
-            String[] parts = word.replace("!", "").split("/");
-            int arguments = parts.length > 1 ? Integer.parseInt(parts[1]) : 0;
-            TYPES.put(home + "." + parts[0], new Entry(arguments, few));
+            String bare = few ? word.substring(0, word.length() - 1) : word;
+            int slash = bare.indexOf('/');
+            String name = slash < 0 ? bare : bare.substring(0, slash);
+            int arguments = slash < 0 ? 0 : Integer.parseInt(bare.substring(slash + 1));
+            types.put(name, new Entry(arguments, few));
         }
+        return types;
     }
 
     /** What is known of the type of a full name, {@code java.util.Map.Entry}. */
     static Optional<Entry> find(String qualifiedName) {
-        return Optional.ofNullable(TYPES.get(qualifiedName));
+        // A type may lie in another one: it is the rest behind the longest package.
+        int dot = qualifiedName.lastIndexOf('.');
+        while (dot >= 0) {
+            String home = qualifiedName.substring(0, dot);
+            Lazy<Map<String, Entry>> types = PACKAGES.get(home);
+            if (types != null) {
+                return Optional.ofNullable(types.get().get(qualifiedName.substring(dot + 1)));
+            }
+            dot = home.lastIndexOf('.');
+        }
+        return Optional.empty();
     }
 
     static boolean isPackage(String name) {
-        return PACKAGES.contains(name);
+        return PACKAGES.containsKey(name);
     }
 }

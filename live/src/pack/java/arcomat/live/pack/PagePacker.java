@@ -114,9 +114,10 @@ public final class PagePacker {
         styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
         styles.append(Files.readString(sources.resolve("live.css")));
         List<String> scripts = new ArrayList<>();
-        String core = Files.readString(Path.of(args[1]));
-        scripts.add(kept("code-core", NEEDLESS_BREAK.matcher(core).replaceAll("")));
+        String core = NEEDLESS_BREAK.matcher(Files.readString(Path.of(args[1]))).replaceAll("");
+        scripts.add(kept("code-core", readOnce(core)));
         scripts.add(kept("code-worker", Files.readString(sources.resolve("worker.js"))));
+        scripts.add(script("", shortened(Files.readString(sources.resolve("beginning.js")))));
         scripts.add(kept("code-layout", read(jars, "klayjs", LAYOUT)));
         String example = Files.readString(sources.resolve("example.json"));
         scripts.add("<script id=\"models\" type=\"application/json\">" + example + "</script>");
@@ -220,6 +221,24 @@ public final class PagePacker {
         try (InputStream in = zip.getInputStream(Objects.requireNonNull(found.get(0)))) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
+    }
+
+    /**
+     * The core is one large function, which a browser reads ahead and then once more where it is
+     * called, unless it stands in brackets of its own, as what is called at once.
+     */
+    private static String readOnce(String core) {
+        String begin = "}(function(";
+        String end = "}));";
+        String code = core.strip();
+        int at = code.indexOf(begin);
+        if (at < 0 || !code.endsWith(end)) {
+            throw new IllegalStateException("the compiler has another frame around the core");
+        }
+        return code.substring(0, at)
+                + "}((function("
+                + code.substring(at + begin.length(), code.length() - end.length())
+                + "})));";
     }
 
     /** Kept until it is asked for. */
