@@ -21,7 +21,7 @@ import java.util.List;
 /** An agent without wits: it sends lines and reads lines, through the pipes of a server. */
 final class AgentClient implements AutoCloseable {
     private static final int PIPE_BYTES = 1 << 22;
-    private static final long PATIENCE_MILLISECONDS = 60_000;
+    private static final long PATIENCE_MILLISECONDS = 120_000;
     private static final ObjectMapper JSON = new ObjectMapper();
 
     private final PipedOutputStream toServer;

@@ -72,7 +72,7 @@ import java.util.stream.Stream;
  * talks to the server through the protocol, as bytes in a pipe.
  */
 final class EditorClient implements LanguageClient, AutoCloseable {
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 120;
 
     private final Path folder;
     private final LanguageServer server;

@@ -120,7 +120,7 @@ final class NameSteps {
 
     private static <T> String answered(CompletableFuture<T> answer, Function<T, String> shown) {
         try {
-            return shown.apply(answer.get(60, TimeUnit.SECONDS));
+            return shown.apply(answer.get(120, TimeUnit.SECONDS));
         } catch (ExecutionException refused) {
             return "refused: "
                     + ((ResponseErrorException) refused.getCause()).getResponseError().getMessage()

@@ -25,7 +25,7 @@ import java.util.function.Function;
 
 /** Calls that take long, fail, or are given up. */
 class WorkshopTest {
-    private static final long PATIENCE = 30;
+    private static final long PATIENCE = 120;
 
     private final Session session = new Session(new PathNames(Path.of("")), Progress.NONE);
     private final Workshop workshop = new Workshop(session, List.of("models"), 1);

@@ -17,8 +17,8 @@ import java.util.List;
 class UnboundedPartsTest {
     private static final int QUESTIONS = Integer.getInteger("unbounded.parts", 80);
 
-    /** What takes longer, stays unknown, in nanoseconds. */
-    private static final long MOST_TIME = 2_000_000_000L;
+    /** What takes more work stays unknown, on a machine that is slow today as well as on any. */
+    private static final long PATIENCE = 3_000;
 
     private int holds;
     private int fails;
@@ -53,8 +53,7 @@ class UnboundedPartsTest {
 
     private static Verdict verdict(List<String> texts) {
         Sides sides = Sides.of(texts);
-        long end = System.nanoTime() + MOST_TIME;
-        Verdict verdict = sides.check(new Budget(() -> System.nanoTime() > end, 10_000));
+        Verdict verdict = sides.check(new Budget(() -> false, 10_000).patient(PATIENCE));
         if (verdict.answer() == Answer.FAILS && !verdict.trace().isEmpty()) {
             Replay.check(sides.left(), sides.right(), verdict);
         }

@@ -26,7 +26,7 @@ import java.util.concurrent.TimeUnit;
 
 /** An editor is told nothing by itself before it has said that it is ready for it. */
 class GreetingTest {
-    private static final long SECONDS = 60;
+    private static final long SECONDS = 120;
 
     @TempDir private Path folder;
     private final EditorServer server = new EditorServer("0", Guests.NONE, List.of());

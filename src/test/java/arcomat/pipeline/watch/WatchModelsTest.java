@@ -30,7 +30,7 @@ import java.util.function.Predicate;
 
 /** Saves files, and waits until what is broken is told. */
 class WatchModelsTest {
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 120;
 
     private static final String LAMP =
             """
