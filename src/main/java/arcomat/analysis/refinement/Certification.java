@@ -20,7 +20,7 @@ import java.util.function.Supplier;
 public record Certification(Verdict verdict, List<Certificate> certificates) {
 
     /** So much work the second engine does alone, in assignments: some seconds. */
-    static final long WORK = 4_000_000;
+    private static final long WORK = 4_000_000;
 
     /** What is said where nothing can be written down. */
     public static final String NONE = "no certificate was found within the limits";
@@ -79,14 +79,24 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
 
     /** Clauses that the second engine finds by itself, else pairs however many. */
     private static List<Certificate> alone(Promise left, Promise right, Budget unpacked) {
-        Optional<Certificate> clauses =
-                Budget.within(
-                        () ->
-                                ComparedSystems.of(left, right, unpacked)
-                                        .clauses(WORK, unpacked)
-                                        .filter(each -> isProof(left, right, each, unpacked)),
-                        reason -> Optional.empty());
-        return clauses.map(List::of).orElseGet(() -> searched(left, right, unpacked).certificates);
+        return clausesAlone(() -> ComparedSystems.of(left, right, unpacked), unpacked)
+                .map(List::of)
+                .orElseGet(() -> searched(left, right, unpacked).certificates);
+    }
+
+    /** Clauses that the second engine finds by itself. */
+    static Optional<Certificate> clausesAlone(Supplier<ComparedSystems> systems, Budget budget) {
+        return onPaper(systems, () -> systems.get().clauses(WORK, budget), budget);
+    }
+
+    /** Such clauses as they would be written: what words do not tell without doubt is no proof. */
+    static Optional<Certificate> onPaper(
+            Supplier<ComparedSystems> systems,
+            Supplier<Optional<Certificate>> clauses,
+            Budget budget) {
+        return Budget.within(
+                () -> clauses.get().filter(each -> systems.get().problem(each, budget).isEmpty()),
+                reason -> Optional.empty());
     }
 
     /**
@@ -101,18 +111,12 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
                         && found.get().form() == Form.PAIRS
                         && CoupledRefinement.readsMuch(left, right)
                         && budget.takes(Shortcut.CONDITIONS);
-        return others
-                ? CoupledRefinement.proof(left, right, budget).map(Supplier::get).or(() -> found)
-                : found.filter(
-                        each -> each.form() != Form.CLAUSES || isProof(left, right, each, budget));
-    }
-
-    /** What cannot be told in words without doubt is no proof on paper. */
-    private static boolean isProof(
-            Promise left, Promise right, Certificate clauses, Budget budget) {
-        return Budget.within(
-                () -> ComparedSystems.of(left, right, budget).problem(clauses, budget).isEmpty(),
-                reason -> false);
+        if (others) {
+            return CoupledRefinement.proof(left, right, budget).map(Supplier::get).or(() -> found);
+        }
+        return found.isPresent() && found.get().form() == Form.CLAUSES
+                ? onPaper(() -> ComparedSystems.of(left, right, budget), () -> found, budget)
+                : found;
     }
 
     /**

@@ -13,7 +13,6 @@ import arcomat.semantics.value.GivenUp;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 
 /**
  * Why invariants hold, to be written down, and to be verified later by whoever doubts the search.
@@ -41,24 +40,11 @@ public final class InvariantCertification {
         if (verdict.answer() != Answer.HOLDS) {
             return new Certification(verdict, List.of());
         }
-        return clauses(() -> found.stream().findFirst(), proof, budget)
-                .or(
-                        () ->
-                                clauses(
-                                        () -> proof.apart().clauses(Certification.WORK, budget),
-                                        proof,
-                                        budget))
+        return Certification.onPaper(proof::apart, () -> found.stream().findFirst(), budget)
+                .or(() -> Certification.clausesAlone(proof::apart, budget))
                 .or(() -> pairs(proof, budget))
                 .map(certificate -> new Certification(verdict, List.of(certificate)))
                 .orElseGet(() -> new Certification(verdict.with(Certification.NONE), List.of()));
-    }
-
-    /** What cannot be told in words without doubt is no proof on paper. */
-    private static Optional<Certificate> clauses(
-            Supplier<Optional<Certificate>> found, InvariantProof proof, Budget budget) {
-        return Budget.within(
-                () -> found.get().filter(each -> proof.apart().problem(each, budget).isEmpty()),
-                reason -> Optional.empty());
     }
 
     private static Optional<Certificate> pairs(InvariantProof proof, Budget budget) {

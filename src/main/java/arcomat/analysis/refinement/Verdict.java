@@ -87,27 +87,24 @@ public record Verdict(
 
     /** Holds by certificates that have been verified. */
     public static Verdict proved(List<Certificate> certificates) {
-        long clauses = entries(certificates.stream().filter(c -> c.form() == Form.CLAUSES));
-        long pairs = entries(certificates.stream().filter(c -> c.form() != Form.CLAUSES));
-        List<String> sizes = new ArrayList<>();
-        if (certificates.stream().anyMatch(c -> c.form() != Form.CLAUSES)) {
-            sizes.add(size(pairs, "pair"));
-        }
-        if (certificates.stream().anyMatch(c -> c.form() == Form.CLAUSES)) {
-            sizes.add(size(clauses, "clause"));
-        }
+        String sizes =
+                Stream.of(size(certificates, false, "pair"), size(certificates, true, "clause"))
+                        .flatMap(Optional::stream)
+                        .collect(Collectors.joining(" and "));
         return holds(
                 Optional.empty(),
-                List.of("verified: a certificate with " + String.join(" and ", sizes)),
+                List.of("verified: a certificate with " + sizes),
                 Explored.NOTHING);
     }
 
-    private static String size(long count, String what) {
-        return count == 1 ? "1 " + what : (count == 0 ? "no" : count) + " " + what + "s";
-    }
-
-    private static long entries(Stream<Certificate> certificates) {
-        return certificates.mapToLong(each -> each.entries().size()).sum();
+    /** Of those that are of clauses, or of the others; empty where there are none. */
+    private static Optional<String> size(
+            List<Certificate> certificates, boolean ofClauses, String entry) {
+        return certificates.stream()
+                .filter(each -> (each.form() == Form.CLAUSES) == ofClauses)
+                .map(each -> each.entries().size())
+                .reduce(Integer::sum)
+                .map(n -> n == 1 ? "1 " + entry : (n == 0 ? "no" : n) + " " + entry + "s");
     }
 
     /** By its behaviour, as a trace shows. */

@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -108,19 +109,18 @@ final class AnswerBits {
 
     /** What they mean. */
     List<String> words() {
-        return configurations.stream().map(each -> "right may be in " + word(each)).toList();
+        List<String> described = configurations.stream().map(right::describe).toList();
+        return IntStream.range(0, described.size())
+                .mapToObj(i -> "right may be in " + word(i, described))
+                .toList();
     }
 
     /** With its name where others are described alike. */
-    private String word(int configuration) {
-        String described = right.describe(configuration);
-        boolean alone =
-                configurations.stream()
-                        .allMatch(
-                                each ->
-                                        each == configuration
-                                                || !right.describe(each).equals(described));
-        return alone ? described : described + " " + right.name(configuration);
+    private String word(int position, List<String> described) {
+        String own = described.get(position);
+        return Collections.frequency(described, own) == 1
+                ? own
+                : own + " " + right.name(configurations.get(position));
     }
 
     /** Those for what it may be in afterwards. */

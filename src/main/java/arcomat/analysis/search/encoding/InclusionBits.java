@@ -23,15 +23,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /**
  * A network beside the right side, in bits. A step is bad where the right side cannot follow.
  *
- * @param words what the bits mean
+ * @param words what the bits mean, found out where somebody asks: most proofs are never written
  * @param granted cubes that an invariant excludes without saying it; they are checked like others
  */
-public record InclusionBits(TransitionRelation relation, StateWords words, List<int[]> granted) {
+public record InclusionBits(
+        TransitionRelation relation, Supplier<StateWords> words, List<int[]> granted) {
     public InclusionBits {
         granted = List.copyOf(granted);
     }
@@ -88,7 +90,7 @@ public record InclusionBits(TransitionRelation relation, StateWords words, List<
                 answers.state().length == 1
                         ? List.of(new int[] {-relation.state().length})
                         : List.of();
-        return new InclusionBits(relation, words(tables, left.words(), answers), granted);
+        return new InclusionBits(relation, () -> words(tables, left.words(), answers), granted);
     }
 
     /** By input what may come. */

@@ -16,6 +16,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Whether every trace of a network is one of the right side, without looking at configurations one
@@ -64,16 +65,26 @@ public final class SymbolicInclusion {
 
     /** The invariant that was found: what is never so all at once; nothing where none was. */
     public List<List<String>> clauses() {
+        StateWords words = bits.words().get();
+        return told().map(SymbolicInclusion::inOrder)
+                .sorted(SymbolicInclusion::compare)
+                .map(cube -> IntStream.of(cube).mapToObj(words::of).toList())
+                .toList();
+    }
+
+    /** Of how many clauses it is. */
+    public int size() {
+        return (int) told().count();
+    }
+
+    /** Without what goes without saying. */
+    private Stream<int[]> told() {
         return search.invariant().stream()
                 .flatMap(found -> found.excluded().stream())
                 .filter(
                         cube ->
                                 bits.granted().stream()
-                                        .noneMatch(each -> Arrays.equals(each, cube)))
-                .map(SymbolicInclusion::inOrder)
-                .sorted(SymbolicInclusion::compare)
-                .map(cube -> IntStream.of(cube).mapToObj(bits.words()::of).toList())
-                .toList();
+                                        .noneMatch(each -> Arrays.equals(each, cube)));
     }
 
     /** By position. */

@@ -25,10 +25,12 @@ import java.util.stream.IntStream;
  */
 public final class ClauseCheck {
     private final InclusionBits bits;
+    private final StateWords words;
     private final Runnable between;
 
     private ClauseCheck(InclusionBits bits, Runnable between) {
         this.bits = bits;
+        this.words = bits.words().get();
         this.between = between;
     }
 
@@ -70,7 +72,7 @@ public final class ClauseCheck {
         }
         return new InductiveInvariant(excluded)
                 .gap(bits.relation(), between)
-                .map(gap -> gap.match(new Told(bits.words())));
+                .map(gap -> gap.match(new Told(words)));
     }
 
     private int[] cube(Entry entry) {
@@ -82,7 +84,6 @@ public final class ClauseCheck {
     }
 
     private int literal(String word) {
-        StateWords words = bits.words();
         OptionalInt literal = words.literal(word);
         if (literal.isEmpty()) {
             List<String> others = words.others(word);

@@ -7,7 +7,6 @@ import arcomat.analysis.symbolic.PropertyDirectedReachability.Progress;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
@@ -70,10 +69,8 @@ final class SymbolicTurns {
         return progress == Progress.PROVED;
     }
 
-    /** The invariant that was found and checked, clause by clause; empty where none was. */
-    Optional<List<List<String>>> invariant() {
-        return engine != null && progress == Progress.PROVED
-                ? Optional.of(engine.clauses())
-                : Optional.empty();
+    /** The engine, with an invariant that was found and checked; empty where none was. */
+    Optional<SymbolicInclusion> proved() {
+        return Optional.ofNullable(engine).filter(each -> progress == Progress.PROVED);
     }
 }

@@ -399,8 +399,8 @@ public final class TraceInclusion {
      * inclusion; empty where these are packed.
      */
     public Optional<Certificate> certificate() {
-        return symbolic.invariant()
-                .map(Certificate::ofClauses)
+        return symbolic.proved()
+                .map(engine -> Certificate.ofClauses(engine.clauses()))
                 .or(() -> packed == null ? Optional.of(pairsMet()) : Optional.empty());
     }
 
@@ -439,7 +439,7 @@ public final class TraceInclusion {
      * that did.
      */
     public Optional<Integer> invariant() {
-        return symbolic.invariant().map(List::size);
+        return symbolic.proved().map(SymbolicInclusion::size);
     }
 
     /** How many pairs were explored so far. */

@@ -64,7 +64,7 @@ class CheckedInvariantTest {
     private static InclusionBits named() {
         StateWords.Collector words = new StateWords.Collector();
         words.each(List.of("first", "second", "third"));
-        return new InclusionBits(lamps(), words.words(List.of()), List.of());
+        return new InclusionBits(lamps(), () -> words.words(List.of()), List.of());
     }
 
     /** The first two lamps change places; a step is bad where the third one is on: it never is. */
