@@ -3,6 +3,7 @@ package arcomat.cli.command.proof;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.ComparisonCommand;
+import arcomat.cli.option.DoubtedOption;
 import arcomat.cli.option.PageOption;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
@@ -65,11 +66,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
             description = "Where it holds, write down why: pairs, or clauses.")
     private String certificate;
 
-    @Option(
-            names = "--verify-certificate",
-            paramLabel = "FILE",
-            description = "Search nothing: verify such a file.")
-    private String doubted;
+    @Mixin private DoubtedOption doubted = new DoubtedOption();
 
     @Option(
             names = "--disk",
@@ -100,12 +97,8 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
 
     @Override
     protected Task<CheckedAnswer<List<Answered>>> task(Session session) throws WrongUse {
-        if (certificate != null && doubted != null) {
-            throw new WrongUse(
-                    "--verify-certificate searches nothing, so there is nothing to write for"
-                            + " --certificate; leave one of them out");
-        }
-        boolean plain = engine == Engine.arcomat && certificate == null && doubted == null;
+        Optional<String> proof = doubted.file(certificate);
+        boolean plain = engine == Engine.arcomat && certificate == null && proof.isEmpty();
         if (disk != null && (!plain || map != null)) {
             throw new WrongUse(
                     "--disk is for the search of this tool, without maps and certificates; leave"
@@ -117,7 +110,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
                             + " them out");
         }
         report.prepare(session);
-        Prover prover = prover();
+        Prover prover = prover(proof);
         return new ProveRefinement(
                 sides(),
                 prover,
@@ -127,18 +120,18 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
                 limits());
     }
 
-    private Prover prover() throws WrongUse {
+    private Prover prover(Optional<String> proof) throws WrongUse {
         if (mona != null && engine != Engine.mona) {
             throw new WrongUse("--mona names a program, and only '--engine mona' asks it");
         }
         if (engine == Engine.mona) {
-            if (certificate != null || doubted != null) {
+            if (certificate != null || proof.isPresent()) {
                 throw new WrongUse("MONA knows no certificates; leave '--engine mona' out");
             }
             return new Prover.Mona(mona == null ? "mona" : mona);
         }
-        if (doubted != null) {
-            return new Prover.Verifier(doubted);
+        if (proof.isPresent()) {
+            return new Prover.Verifier(proof.get());
         }
         if (disk != null) {
             return new Prover.EngineOnDisk(disk, Version.identity());

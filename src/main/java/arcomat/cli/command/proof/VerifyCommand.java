@@ -6,6 +6,7 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.CommandResults;
+import arcomat.cli.option.DoubtedOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;
@@ -51,11 +52,7 @@ public final class VerifyCommand extends LimitedCommand {
             description = "Of all that holds, write down why.")
     private String certificate;
 
-    @Option(
-            names = "--verify-certificate",
-            paramLabel = "FILE",
-            description = "Search nothing: verify such a file.")
-    private String doubted;
+    @Mixin private DoubtedOption doubted = new DoubtedOption();
 
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
@@ -64,19 +61,12 @@ public final class VerifyCommand extends LimitedCommand {
 
     @Override
     protected int run(Session session) throws WrongUse {
-        if (certificate != null && doubted != null) {
-            throw new WrongUse(
-                    "--verify-certificate searches nothing, so there is nothing to write for"
-                            + " --certificate; leave one of them out");
-        }
+        Optional<String> proofs = doubted.file(certificate);
         reports.prepare(session);
         CheckedAnswer<List<Answered>> reply =
                 session.run(
                         new VerifyPromises(
-                                paths,
-                                Optional.ofNullable(certificate),
-                                Optional.ofNullable(doubted),
-                                limits()));
+                                paths, Optional.ofNullable(certificate), proofs, limits()));
         tellAside(reply.check());
         if (reply.value().isEmpty()) {
             CheckRendering findings =
