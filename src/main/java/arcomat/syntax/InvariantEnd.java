@@ -1,9 +1,7 @@
 package arcomat.syntax;
 
 import arcomat.source.Diagnostic;
-import arcomat.source.Fix;
 import arcomat.source.SourceFile;
-import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
 
 import org.antlr.v4.runtime.Token;
@@ -19,7 +17,7 @@ import java.util.Set;
  * declared there is missing.
  */
 final class InvariantEnd {
-    private static final Set<Integer> INVARIANT = types("inv");
+    private static final int INVARIANT = types("inv").iterator().next();
 
     /** What elements of a component begin with, unless it is a type. */
     private static final Set<Integer> BEGINNINGS =
@@ -61,15 +59,17 @@ final class InvariantEnd {
         return types;
     }
 
+    /** Whether an invariant may begin there: most files have none, and need not be looked at. */
+    static boolean begins(Token token) {
+        return token.getType() == INVARIANT;
+    }
+
     /**
      * The semicolons that are missing.
      *
      * @param all tokens of the file, the end of the file included
      */
     static List<Diagnostic> missing(SourceFile file, List<Token> all) {
-        if (all.stream().noneMatch(token -> INVARIANT.contains(token.getType()))) {
-            return List.of();
-        }
         List<Token> visible =
                 all.stream().filter(each -> each.getChannel() == Token.DEFAULT_CHANNEL).toList();
         return new InvariantEnd(file, visible).missing();
@@ -78,10 +78,10 @@ final class InvariantEnd {
     private List<Diagnostic> missing() {
         List<Diagnostic> findings = new ArrayList<>();
         for (int i = 0; i + 3 < tokens.size(); i++) {
-            if (INVARIANT.contains(type(i)) && tokens.get(i + 2).getText().equals(":")) {
+            if (type(i) == INVARIANT && tokens.get(i + 2).getText().equals(":")) {
                 int end = end(i + 3);
                 if (type(end) != ArcomatLexer.SEMICOLON && type(end) != Token.EOF) {
-                    findings.add(missingBehind(tokens.get(end - 1)));
+                    findings.add(SyntaxErrorMessage.semicolonMissing(file, tokens.get(end - 1)));
                 }
             }
         }
@@ -106,7 +106,7 @@ final class InvariantEnd {
         TokenKind after = TokenKind.of(type(i + 1));
         boolean isStereotype = type(i) == ArcomatLexer.LESS && type(i + 1) == ArcomatLexer.LESS;
         boolean isWord =
-                (BEGINNINGS.contains(type(i)) || INVARIANT.contains(type(i + 1)))
+                (BEGINNINGS.contains(type(i)) || type(i + 1) == INVARIANT)
                         && (after == TokenKind.OTHER || type(i + 1) == ArcomatLexer.OPEN_BRACE);
         return (isStereotype || isWord)
                 && (before == TokenKind.OTHER || before == TokenKind.CLOSING)
@@ -115,13 +115,5 @@ final class InvariantEnd {
 
     private int type(int index) {
         return tokens.get(index).getType();
-    }
-
-    private Diagnostic missingBehind(Token last) {
-        Span word = file.span(last.getStartIndex(), last.getStopIndex() + 1);
-        Span end = file.span(word.end(), word.end());
-        return Diagnostic.error(
-                        Codes.SYNTAX, word, "';' is missing behind '" + last.getText() + "'.")
-                .withFix(Fix.replace("Insert ';'", end, ";"));
     }
 }

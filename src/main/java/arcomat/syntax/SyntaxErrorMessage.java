@@ -41,7 +41,8 @@ final class SyntaxErrorMessage {
             return Language.of(file).nothingDefined(file, found.getStartIndex());
         }
         if (isSemicolonMissing(parser, error)) {
-            return semicolonMissing();
+            Token before = Objects.requireNonNull(before(parser.getInputStream(), found));
+            return semicolonMissing(file, before);
         }
         if (found.getType() == Token.EOF) {
             return endOfFile();
@@ -81,8 +82,9 @@ final class SyntaxErrorMessage {
                 && Expectation.types(error).contains(ArcomatLexer.SEMICOLON);
     }
 
-    private Diagnostic semicolonMissing() {
-        Span before = span(Objects.requireNonNull(before(parser.getInputStream(), found)));
+    /** The finding that a token is the last one of what needs a semicolon. */
+    static Diagnostic semicolonMissing(SourceFile file, Token last) {
+        Span before = file.span(last.getStartIndex(), last.getStopIndex() + 1);
         Span end = file.span(before.end(), before.end());
         return Diagnostic.error(
                         Codes.SYNTAX, before, "';' is missing behind " + quote(before) + ".")

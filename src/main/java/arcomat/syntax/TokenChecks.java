@@ -28,11 +28,13 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
     private static List<Diagnostic> check(SourceFile file, List<Token> tokens, NestingGuard guard) {
         List<Diagnostic> findings = new ArrayList<>(0);
         boolean empty = true;
+        boolean invariants = false;
         for (Token token : tokens) {
             if (token.getChannel() != Token.DEFAULT_CHANNEL || token.getType() == Token.EOF) {
                 continue;
             }
             empty = false;
+            invariants |= InvariantEnd.begins(token);
             if (guard.isTooDeep(token)) {
                 findings.add(tooDeep(file, token));
                 return findings;
@@ -45,7 +47,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
         }
         if (empty) {
             findings.add(Language.of(file).nothingDefined(file, 0));
-        } else if (findings.isEmpty()) {
+        } else if (invariants && findings.isEmpty()) {
             findings.addAll(InvariantEnd.missing(file, tokens));
         }
         return findings;
