@@ -2,8 +2,6 @@ package arcomat.tree;
 
 import arcomat.source.Span;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -21,13 +19,7 @@ public record Automaton(
 
     /** The elements of one kind, in text order. */
     public <E extends AutomatonElement> List<E> elements(Class<E> kind) {
-        List<E> found = new ArrayList<>();
-        for (AutomatonElement each : elements) {
-            if (kind.isInstance(each)) {
-                found.add(kind.cast(each));
-            }
-        }
-        return Collections.unmodifiableList(found);
+        return Node.ofKind(kind, elements);
     }
 
     @Override

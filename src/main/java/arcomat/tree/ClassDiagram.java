@@ -70,10 +70,7 @@ public record ClassDiagram(
             List<Member> members)
             implements TypeDefinition {
         public List<Attribute> attributes() {
-            return members.stream()
-                    .filter(Attribute.class::isInstance)
-                    .map(Attribute.class::cast)
-                    .toList();
+            return Node.ofKind(Attribute.class, members);
         }
     }
 

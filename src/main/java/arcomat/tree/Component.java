@@ -3,8 +3,6 @@ package arcomat.tree;
 import arcomat.source.Span;
 import arcomat.tree.TypeReference.TypeArgument;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -48,13 +46,7 @@ public record Component(
 
     /** The elements of one kind, in text order. */
     public <E extends Element> List<E> elements(Class<E> kind) {
-        List<E> found = new ArrayList<>();
-        for (Element each : elements) {
-            if (kind.isInstance(each)) {
-                found.add(kind.cast(each));
-            }
-        }
-        return Collections.unmodifiableList(found);
+        return Node.ofKind(kind, elements);
     }
 
     /** The same component with other things in its body. */

@@ -9,6 +9,7 @@ import arcomat.tree.Component;
 import arcomat.tree.Element;
 import arcomat.tree.Expression;
 import arcomat.tree.Name;
+import arcomat.tree.Node;
 
 import java.util.List;
 import java.util.Optional;
@@ -39,17 +40,14 @@ record FeaturePlaces(NamePlaces places, Optional<Component> around) {
     }
 
     private void elements(List<Element> elements) {
-        each(elements, Element.Constraint.class).forEach(each -> condition(each.condition()));
-        each(elements, Component.class).forEach(inner -> elements(inner.elements()));
-        for (Element.Variation variation : each(elements, Element.Variation.class)) {
+        Node.ofKind(Element.Constraint.class, elements)
+                .forEach(each -> condition(each.condition()));
+        Node.ofKind(Component.class, elements).forEach(inner -> elements(inner.elements()));
+        for (Element.Variation variation : Node.ofKind(Element.Variation.class, elements)) {
             condition(variation.condition());
             elements(variation.then());
             elements(variation.otherwise());
         }
-    }
-
-    private static <E extends Element> List<E> each(List<Element> elements, Class<E> kind) {
-        return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
     }
 
     private void condition(Expression condition) {
