@@ -5,12 +5,17 @@ import arcomat.models.ModelFiles;
 import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
 
+import org.junit.jupiter.api.DynamicTest;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * A data file of the tests of analyses: {@code == models FOLDER} and {@code == file PATH} bring
@@ -51,6 +56,17 @@ public record Sections(List<Section> all) {
 
     public List<Section> of(String kind) {
         return all.stream().filter(section -> section.kind.equals(kind)).toList();
+    }
+
+    /** A test for each question of some kinds, named by what is asked and what is said first. */
+    public Stream<DynamicTest> tests(Set<String> kinds, Consumer<Section> check) {
+        return all.stream()
+                .filter(section -> kinds.contains(section.kind))
+                .map(
+                        section ->
+                                DynamicTest.dynamicTest(
+                                        section.rest + ": " + section.lines.get(0),
+                                        () -> check.accept(section)));
     }
 
     /** The models as files. */

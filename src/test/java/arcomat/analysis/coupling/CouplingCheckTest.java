@@ -31,6 +31,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -48,12 +49,7 @@ class CouplingCheckTest {
     Stream<DynamicTest> checks() {
         Sections sections = Sections.read(CHECKS);
         Model model = sections.model();
-        return sections.of("check").stream()
-                .map(
-                        each ->
-                                DynamicTest.dynamicTest(
-                                        each.rest() + ": " + each.lines().get(0),
-                                        () -> check(model, each)));
+        return sections.tests(Set.of("check"), each -> check(model, each));
     }
 
     private static void check(Model model, Section section) {

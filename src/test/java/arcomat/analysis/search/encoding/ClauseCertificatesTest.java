@@ -57,13 +57,7 @@ class ClauseCertificatesTest {
     Stream<DynamicTest> checks() {
         Sections sections = Sections.read(CHECKS);
         Model model = sections.model();
-        return sections.all().stream()
-                .filter(each -> Set.of("inv", "refines").contains(each.kind()))
-                .map(
-                        each ->
-                                DynamicTest.dynamicTest(
-                                        each.rest() + ": " + each.lines().get(0),
-                                        () -> check(model, each)));
+        return sections.tests(Set.of("inv", "refines"), each -> check(model, each));
     }
 
     private static void check(Model model, Section section) {

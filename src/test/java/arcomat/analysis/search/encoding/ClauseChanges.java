@@ -10,11 +10,6 @@ import arcomat.analysis.search.product.Certificate.Form;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.analysis.search.system.NetworkWords;
-import arcomat.model.Port;
-import arcomat.model.Value;
-import arcomat.semantics.value.SmallType;
-
-import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -103,20 +98,14 @@ final class ClauseChanges {
             return List.of();
         }
         NetworkSystem system = network.smaller().system();
-        List<List<@Nullable Value>> messages =
-                system.inputs().stream().map(ClauseChanges::all).toList();
+        AllLetters letters = AllLetters.of(system);
         Set<Integer> seen = new LinkedHashSet<>();
         List<Integer> open = new ArrayList<>();
         add(system, system.openings(), seen, open);
         for (int i = 0; i < open.size() && open.size() < MOST_MET; i++) {
-            int[] letter = new int[messages.size()];
-            do {
-                @Nullable Value[] own = new Value[letter.length];
-                for (int port = 0; port < letter.length; port++) {
-                    own[port] = messages.get(port).get(letter[port]);
-                }
-                add(system, system.steps(open.get(i), own), seen, open);
-            } while (next(letter, messages));
+            int from = open.get(i);
+            letters.each(
+                    letter -> add(system, system.steps(from, letters.values(letter)), seen, open));
         }
         return open.stream().map(each -> words(system, system.state(each))).toList();
     }
@@ -127,25 +116,6 @@ final class ClauseChanges {
                 .filter(next -> !system.state(next).isError())
                 .filter(seen::add)
                 .forEach(open::add);
-    }
-
-    private static List<@Nullable Value> all(Port port) {
-        List<@Nullable Value> all = new ArrayList<>();
-        if (!port.total()) {
-            all.add(null);
-        }
-        all.addAll(SmallType.values(port.type()).orElseThrow());
-        return all;
-    }
-
-    private static boolean next(int[] letter, List<List<@Nullable Value>> messages) {
-        for (int port = 0; port < letter.length; port++) {
-            if (++letter[port] < messages.get(port).size()) {
-                return true;
-            }
-            letter[port] = 0;
-        }
-        return false;
     }
 
     private static Set<String> words(NetworkSystem system, GlobalState state) {

@@ -12,10 +12,8 @@ import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.analysis.symbolic.CheckedSolver;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.SmallType;
 
 import com.carrotsearch.hppc.IntArrayList;
 
@@ -59,12 +57,13 @@ class NetworkBitsTest {
         Budget budget = new Budget(() -> false, 10_000);
         OutputCubes cubes = new OutputCubes();
         NetworkSystem system = NetworkSystem.of(whole, List.of(), outputs, cubes, budget);
-        List<List<@Nullable Value>> messages = system.inputs().stream().map(this::all).toList();
+        AllLetters letters = AllLetters.of(system);
         List<Integer> met = new ArrayList<>();
-        List<Step> seen = explored(system, cubes, messages, met);
+        List<Step> seen = explored(system, cubes, letters, met);
         try {
             int[] states = met.stream().mapToInt(Integer::intValue).toArray();
-            NetworkTables tables = system.tables(messages, states, MOST_VALUES, MOST_RULES);
+            NetworkTables tables =
+                    system.tables(letters.messages(), states, MOST_VALUES, MOST_RULES);
             int[] shown = system.outputSignals();
             CheckedSolver solver = new CheckedSolver(() -> {});
             NetworkBits bits = new NetworkBits(tables, solver.clauses());
@@ -79,59 +78,34 @@ class NetworkBitsTest {
         }
     }
 
-    private List<@Nullable Value> all(Port port) {
-        List<@Nullable Value> all = new ArrayList<>();
-        if (!port.total()) {
-            all.add(null);
-        }
-        all.addAll(SmallType.values(port.type()).orElseThrow());
-        return all;
-    }
-
     /**
      * @param met told the configurations that are met
      */
     private static List<Step> explored(
-            NetworkSystem system,
-            OutputCubes cubes,
-            List<List<@Nullable Value>> messages,
-            List<Integer> met) {
+            NetworkSystem system, OutputCubes cubes, AllLetters letters, List<Integer> met) {
         IntStream.of(system.openings().next()).distinct().forEach(met::add);
         List<Step> steps = new ArrayList<>();
         for (int i = 0; i < met.size(); i++) {
-            int[] letter = new int[messages.size()];
-            do {
-                @Nullable Value[] own = new Value[letter.length];
-                for (int port = 0; port < letter.length; port++) {
-                    own[port] = messages.get(port).get(letter[port]);
-                }
-                Steps possible = system.steps(met.get(i), own);
-                for (int step = 0; step < possible.size(); step++) {
-                    int next = possible.next()[step];
-                    int output = possible.outputs()[step];
-                    if (system.state(next).isError()) {
-                        steps.add(new Step(met.get(i), letter.clone(), -1, null));
-                    } else if (met.contains(next) || met.size() < MOST_CONFIGURATIONS) {
-                        if (!met.contains(next)) {
-                            met.add(next);
+            int from = met.get(i);
+            letters.each(
+                    letter -> {
+                        Steps possible = system.steps(from, letters.values(letter));
+                        for (int step = 0; step < possible.size(); step++) {
+                            int next = possible.next()[step];
+                            int output = possible.outputs()[step];
+                            if (system.state(next).isError()) {
+                                steps.add(new Step(from, letter.clone(), -1, null));
+                            } else if (met.contains(next) || met.size() < MOST_CONFIGURATIONS) {
+                                if (!met.contains(next)) {
+                                    met.add(next);
+                                }
+                                Output shown = cubes.cube(output);
+                                steps.add(new Step(from, letter.clone(), next, shown));
+                            }
                         }
-                        Output shown = cubes.cube(output);
-                        steps.add(new Step(met.get(i), letter.clone(), next, shown));
-                    }
-                }
-            } while (next(letter, messages));
+                    });
         }
         return steps;
-    }
-
-    private static boolean next(int[] letter, List<List<@Nullable Value>> messages) {
-        for (int port = 0; port < letter.length; port++) {
-            if (++letter[port] < messages.get(port).size()) {
-                return true;
-            }
-            letter[port] = 0;
-        }
-        return false;
     }
 
     /** All that a step says. */
