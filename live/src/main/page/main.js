@@ -169,7 +169,8 @@ class Page {
                 const answer = JSON.parse(await this.desk.ask('check', paths, texts, needed));
                 this.took = performance.now() - begun;
                 if (!this.again) {
-                    this.checked(answer);
+                    this.found(answer);
+                    await this.meant(answer.whole);
                 }
             } catch (problem) {
                 byId('status').textContent = 'this went wrong in the page: ' + problem.message;
@@ -178,26 +179,35 @@ class Page {
         this.checking = false;
     }
 
-    checked(answer) {
-        if (this.version === 0) {
-            performance.mark('first answer');
-        }
+    found(answer) {
         this.findings = answer.findings;
-        document.body.dataset.checked = String(++this.version);
         this.editor.show(this.findings, (fix) => this.repair(fix));
         showFindings(byId('findings'), this.findings, (place) => this.go(place), (fix) => this.repair(fix));
         const errors = this.findings.filter((each) => each.severity === 'error').length;
         const warnings = this.findings.length - errors;
         byId('status').textContent = `${plural(errors, 'error')}, ${plural(warnings, 'warning')}; checked in ${this.took.toFixed(0)} ms`;
-        this.whole = answer.whole;
+        if (this.version === 0) {
+            performance.mark('first answer');
+        }
+        document.body.dataset.found = String(++this.version);
+    }
+
+    /** What models mean is asked for when the findings are seen, and not at all behind another key. */
+    async meant(whole) {
+        const answer = JSON.parse(await this.desk.ask('components'));
+        if (this.again) {
+            return;
+        }
+        this.whole = whole;
         this.take(answer.components);
-        if (answer.whole) {
+        if (whole) {
             this.prove.offer(this.components);
         }
-        if (answer.whole || ['see', 'floor'].includes(this.view)) {
+        if (whole || ['see', 'floor'].includes(this.view)) {
             this.refresh();
         }
         this.showAge();
+        document.body.dataset.checked = String(this.version);
     }
 
     /** While there are errors, components that have some, or need what has, are as they were. */

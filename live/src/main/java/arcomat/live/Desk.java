@@ -44,7 +44,8 @@ public final class Desk {
     }
 
     /**
-     * Reads and checks the texts, models and worlds; what is asked later is asked of them.
+     * Reads the texts, models and worlds, and tells what is found in them; what is asked later is
+     * asked of them.
      *
      * @param needed paths of those that only lie around the others
      */
@@ -57,7 +58,12 @@ public final class Desk {
         files.removeIf(OpenWorlds::isWorld);
         read = read.with(files);
         models = OpenModels.read(read, Set.copyOf(Arrays.asList(needed)));
-        return ModelAnswers.of(models, worlds.findings());
+        return ModelAnswers.findings(models, worlds.findings());
+    }
+
+    /** Of what was checked last, all that can be drawn. */
+    public String components() {
+        return models == null ? WITH_ERRORS : ModelAnswers.components(models.shown());
     }
 
     /**

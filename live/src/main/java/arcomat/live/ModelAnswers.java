@@ -3,6 +3,7 @@ package arcomat.live;
 import arcomat.live.json.JsonText;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.pipeline.check.LoweredModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Span;
@@ -18,16 +19,20 @@ final class ModelAnswers {
     /**
      * @param further findings, about what lies beside the models
      */
-    static String of(OpenModels models, List<Diagnostic> further) {
+    static String findings(OpenModels models, List<Diagnostic> further) {
         List<Diagnostic> findings = new ArrayList<>(models.checked().findings());
         findings.addAll(further);
         return JsonText.object(
                 json -> {
                     json.objects("findings", findings, ModelAnswers::finding);
                     json.field("meant", models.checked().suppressed().size());
-                    json.field("whole", models.lowered().isPresent());
-                    json.objects("components", models.shown().named(), ModelAnswers::component);
+                    json.field("whole", models.areWhole());
                 });
+    }
+
+    static String components(LoweredModels shown) {
+        return JsonText.object(
+                json -> json.objects("components", shown.named(), ModelAnswers::component));
     }
 
     static void place(JsonText json, Span span) {

@@ -11,6 +11,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.names.Lazy;
 import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.translate.HouseLanguages;
 import arcomat.tree.Recovered;
@@ -25,12 +26,20 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
- * The models on the page: texts, what is found in them, and what they mean where nothing is wrong.
- *
- * @param lowered empty where there is an error
- * @param shown what can be drawn: without files that have errors, and those that need them
+ * The models on the page: texts, and what is found in them. What they mean is found out where
+ * somebody asks for it, since whoever is typing waits for the findings.
  */
-record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered, LoweredModels shown) {
+final class OpenModels {
+    private final CheckedModels checked;
+    private final Set<String> wrong;
+    private final BehaviourReader reader;
+    private final Lazy<LoweredModels> shown = new Lazy<>(this::withoutErrors);
+
+    private OpenModels(CheckedModels checked, BehaviourReader reader) {
+        this.checked = checked;
+        this.reader = reader;
+        wrong = filesWithErrors(checked);
+    }
 
     /**
      * Reads and checks texts as {@code arcomat check} does with files.
@@ -50,13 +59,37 @@ record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered, Lowere
                                         loaded.units(),
                                         loaded.broken(),
                                         Profile.REQUIREMENTS));
-        CheckedModels checked = CheckedModels.of(loaded, workspace, review);
-        Set<String> wrong = filesWithErrors(checked);
-        if (wrong.isEmpty()) {
-            LoweredModels all = new LoweredModels(checked, Lowering.lower(workspace));
-            return new OpenModels(checked, Optional.of(all), all);
+        return new OpenModels(CheckedModels.of(loaded, workspace, review), reader);
+    }
+
+    CheckedModels checked() {
+        return checked;
+    }
+
+    /** Whether there is no error. */
+    boolean areWhole() {
+        return wrong.isEmpty();
+    }
+
+    /** Empty where there is an error. */
+    Optional<LoweredModels> lowered() {
+        return areWhole() ? Optional.of(shown()) : Optional.empty();
+    }
+
+    /** What can be drawn: without files that have errors, and those that need them. */
+    LoweredModels shown() {
+        return shown.get();
+    }
+
+    private LoweredModels withoutErrors() {
+        if (areWhole()) {
+            return new LoweredModels(checked, Lowering.lower(checked.workspace()));
         }
-        return new OpenModels(checked, Optional.empty(), lowered(loaded.without(wrong), reader));
+        LoadedModels whole = checked.loaded().without(wrong);
+        Workspace workspace = Workspace.of(whole.units(), whole.broken(), reader);
+        CheckedModels nothing =
+                CheckedModels.of(whole, workspace, new Review(List.of(), List.of()));
+        return new LoweredModels(nothing, Lowering.lower(workspace));
     }
 
     /** Errors that are meant are among them. */
@@ -68,14 +101,6 @@ record OpenModels(CheckedModels checked, Optional<LoweredModels> lowered, Lowere
                 .filter(Diagnostic::isError)
                 .forEach(each -> files.add(each.span().file().path()));
         return files;
-    }
-
-    /** Of models in which nothing is wrong. */
-    private static LoweredModels lowered(LoadedModels whole, BehaviourReader reader) {
-        Workspace workspace = Workspace.of(whole.units(), whole.broken(), reader);
-        CheckedModels checked =
-                CheckedModels.of(whole, workspace, new Review(List.of(), List.of()));
-        return new LoweredModels(checked, Lowering.lower(workspace));
     }
 
     private static LoadedModels load(ReadTexts texts, Set<String> needed) {

@@ -32,7 +32,7 @@ final class LiveMeasure {
                 const shown = () => new Promise((done) => new MutationObserver((all, self) => {
                     self.disconnect();
                     done();
-                }).observe(document.body, { attributes: true, attributeFilter: ['data-checked'] }));
+                }).observe(document.body, { attributes: true, attributeFilter: ['data-found'] }));
                 for (const letter of %s) {
                     const at = view.state.selection.main.head, seen = shown(), begun = performance.now();
                     view.dispatch({ changes: { from: at, insert: letter }, selection: { anchor: at + 1 }, userEvent: 'input.type' });

@@ -17,6 +17,11 @@ public final class Core {
     }
 
     @JSExport
+    public String components() {
+        return desk.components();
+    }
+
+    @JSExport
     public String complete(String path, String text, int offset) {
         return desk.complete(path, text, offset);
     }

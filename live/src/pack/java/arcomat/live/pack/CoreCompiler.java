@@ -41,11 +41,12 @@ public final class CoreCompiler {
                 quick ? TeaVMOptimizationLevel.SIMPLE : TeaVMOptimizationLevel.ADVANCED);
         tool.setObfuscated(!quick);
         tool.setAssertionsRemoved(true); // as where Java runs without -ea
-        // An index or a cast that is wrong ends here as it does in Java, and makes no answer.
+        // What is wrong, an index or null, ends here as it does in Java, and makes no answer.
         tool.setStrict(true);
         tool.setIncremental(false);
         tool.getTransformers().add(NeedlessTexts.class.getName());
         tool.getTransformers().add(NeverMade.class.getName());
+        tool.getTransformers().add(BelievedCasts.class.getName());
         tool.setLog(new EmptyTeaVMToolLog());
         tool.generate();
         List<String> problems =
