@@ -27,7 +27,7 @@ import java.util.Optional;
  * What the parts of one robot's program do while it runs, and why no transition of theirs is
  * enabled: at the beginning of each of their steps the fields of the generated code say where they
  * are, and the model says what that means. Events are handled one by one, and a step is that of one
- * event. Parts with several automata are left out.
+ * event. A part has one automaton, since no code is made of several (ARC0126).
  */
 public final class Refusing {
     private final CodeLayout layout;
