@@ -16,6 +16,9 @@ const VIEWS = ['see', 'run', 'prove', 'floor'];
 /** So many files have a button each. */
 const FEW = 7;
 
+/** Whoever types on does so within so many milliseconds. */
+const PAUSE = 200;
+
 class Page {
     constructor(start) {
         this.files = start.files;
@@ -27,6 +30,7 @@ class Page {
         this.components = [];
         this.findings = [];
         this.version = 0;
+        this.typedAt = -PAUSE;
         this.editor = new Editor(byId('editor'), (text) => this.typed(text), (at) => this.moved(at), (...question) => this.ask(...question).then(JSON.parse));
         this.run = new RunView(byId('run'), this);
         this.prove = new ProveView(byId('prove'), this);
@@ -127,6 +131,7 @@ class Page {
     }
 
     typed(text) {
+        this.typedAt = performance.now();
         this.files[this.open].text = text;
         this.check();
         this.changed();
@@ -204,7 +209,7 @@ class Page {
             this.prove.offer(this.components);
         }
         if (whole || ['see', 'floor'].includes(this.view)) {
-            this.refresh();
+            this.refreshInPause();
         }
         this.showAge();
         document.body.dataset.checked = String(this.version);
@@ -325,7 +330,19 @@ class Page {
         }
     }
 
+    /** A picture takes longer than a check: while somebody types on, the next key does not wait for one. */
+    refreshInPause() {
+        clearTimeout(this.refreshing);
+        const since = performance.now() - this.typedAt;
+        if (since < PAUSE) {
+            this.refreshing = setTimeout(() => this.refresh(), PAUSE - since);
+        } else {
+            this.refresh();
+        }
+    }
+
     async refresh() {
+        clearTimeout(this.refreshing);
         const name = byId('component').value;
         await this.safely(async () => {
             if (this.view === 'see') {

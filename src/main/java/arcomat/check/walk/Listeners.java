@@ -5,6 +5,8 @@ import arcomat.check.law.Check.Findings;
 import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
@@ -15,29 +17,32 @@ public final class Listeners {
     /** A check, and what it has found. */
     record Listener<C extends Check>(C check, Findings findings) {}
 
-    /** The checks that look at things of one kind. */
+    /** The checks that look at things of one kind, picked when the first such thing is met. */
     static final class Audience<C extends Check> implements Iterable<Listener<C>> {
         private final Class<C> kind;
-        private final List<Listener<C>> listeners = new ArrayList<>();
+        private final List<Listener<Check>> all;
+        private @Nullable List<Listener<C>> own;
 
-        private Audience(Class<C> kind) {
+        private Audience(Class<C> kind, List<Listener<Check>> all) {
             this.kind = kind;
-        }
-
-        private void add(Check check, Findings findings) {
-            if (kind.isInstance(check)) {
-                listeners.add(new Listener<>(kind.cast(check), findings));
-            }
+            this.all = all;
         }
 
         @Override
         public Iterator<Listener<C>> iterator() {
-            return listeners.iterator();
+            if (own == null) {
+                own = new ArrayList<>();
+                for (Listener<Check> each : all) {
+                    if (kind.isInstance(each.check())) {
+                        own.add(new Listener<>(kind.cast(each.check()), each.findings()));
+                    }
+                }
+            }
+            return own.iterator();
         }
     }
 
-    private final List<Findings> findings = new ArrayList<>();
-    private final List<Audience<?>> audiences = new ArrayList<>();
+    private final List<Listener<Check>> all = new ArrayList<>();
 
     final Audience<Check.OnWorkspace> onWorkspace = audience(Check.OnWorkspace.class);
     final Audience<Check.OnUnit> onUnit = audience(Check.OnUnit.class);
@@ -69,30 +74,23 @@ public final class Listeners {
         for (Law law : laws) {
             law.severity(profile)
                     .map(severity -> new Findings(law.code(), severity))
-                    .ifPresent(own -> add(law.check(), own));
+                    .ifPresent(own -> all.add(new Listener<>(law.check(), own)));
         }
     }
 
     private <C extends Check> Audience<C> audience(Class<C> kind) {
-        Audience<C> audience = new Audience<>(kind);
-        audiences.add(audience);
-        return audience;
-    }
-
-    private void add(Check check, Findings own) {
-        findings.add(own);
-        audiences.forEach(audience -> audience.add(check, own));
+        return new Audience<>(kind, all);
     }
 
     /** Adds what the same checks found elsewhere. */
     void addAll(Listeners other) {
-        for (int i = 0; i < findings.size(); i++) {
-            findings.get(i).addAll(other.findings.get(i));
+        for (int i = 0; i < all.size(); i++) {
+            all.get(i).findings().addAll(other.all.get(i).findings());
         }
     }
 
     /** What every check has found so far. */
     List<Findings> findings() {
-        return findings;
+        return all.stream().map(Listener::findings).toList();
     }
 }
