@@ -8,6 +8,7 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -41,7 +42,8 @@ class UnboundedDataTest {
         assertThat(compared).isGreaterThan(QUESTIONS * 3 / 4);
     }
 
-    /** Z3 gives up on some of these, too. */
+    /** Z3 gives up on some of these, and takes its time for others. */
+    @Tag("slow")
     @Test
     void decidesRealsAsZ3Does() {
         int half = QUESTIONS / 2;
