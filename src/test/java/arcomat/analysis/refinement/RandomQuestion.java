@@ -24,6 +24,7 @@ public final class RandomQuestion {
     private record Row(int source, Drawn guard, Drawn sent, int target) {}
 
     private static final List<String> INTEGERS = List.of("p", "q");
+
     /** Whatever takes longer, is not known. */
     private static final String IN_BITS =
             "(check-sat-using (using-params qffpbv :max_conflicts 1000))";
