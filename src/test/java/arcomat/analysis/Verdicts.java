@@ -50,7 +50,7 @@ public final class Verdicts {
         return "; %d pairs of %d and %d configurations"
                 .formatted(
                         verdict.explored().pairs(),
-                        verdict.explored().left(),
+                        verdict.explored().left().orElseThrow(),
                         verdict.explored().right());
     }
 

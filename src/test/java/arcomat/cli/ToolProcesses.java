@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /** The installed tool as processes of their own in a folder. */
@@ -25,14 +26,21 @@ final class ToolProcesses {
      * @param log file in the folder that takes what it prints
      */
     Process start(String log, List<String> arguments) throws IOException {
+        return start(log, arguments, Map.of());
+    }
+
+    /** As above, with some variables of the environment. */
+    Process start(String log, List<String> arguments, Map<String, String> environment)
+            throws IOException {
         List<String> command = new ArrayList<>(List.of(TOOL.toString()));
         command.addAll(arguments);
-        Process process =
+        ProcessBuilder tool =
                 new ProcessBuilder(command)
                         .directory(folder.toFile())
                         .redirectErrorStream(true)
-                        .redirectOutput(folder.resolve(log).toFile())
-                        .start();
+                        .redirectOutput(folder.resolve(log).toFile());
+        tool.environment().putAll(environment);
+        Process process = tool.start();
         started.add(process);
         return process;
     }

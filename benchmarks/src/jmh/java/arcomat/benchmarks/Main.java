@@ -4,6 +4,7 @@ import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.compositions.CompositionsGroup;
+import arcomat.benchmarks.compositions.DiskGroup;
 import arcomat.benchmarks.data.DataGroup;
 import arcomat.benchmarks.editor.EditorGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
@@ -32,7 +33,7 @@ import java.util.Map;
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
  * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world,editor,
- * compositions,data}.
+ * compositions,disk,data}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -47,6 +48,7 @@ public final class Main {
                     new WorldGroup(),
                     new EditorGroup(),
                     new CompositionsGroup(),
+                    new DiskGroup(),
                     new DataGroup());
 
     private Main() {}

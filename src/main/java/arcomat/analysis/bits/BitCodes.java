@@ -5,37 +5,38 @@ import arcomat.model.Value;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.function.LongFunction;
+import java.util.function.ToLongFunction;
 
 /**
  * The values of a type as numbers: constants of enumerations and characters have their position,
- * truth values are 0 and 1.
+ * truth values are 0 and 1. Numbers of floating point are what Java has in memory.
  *
  * @param width how many bits Java's arithmetic has for them
  * @param meaning the value that a number is the code of
+ * @param code the number of a value
  */
-record BitCodes(int width, long least, long most, LongFunction<Value> meaning) {
+record BitCodes(
+        int width, long least, long most, LongFunction<Value> meaning, ToLongFunction<Value> code) {
     private static final BitCodes TRUTHS =
-            new BitCodes(1, 0, 1, number -> new Value.BooleanValue(number != 0));
+            new BitCodes(
+                    1,
+                    0,
+                    1,
+                    number -> new Value.BooleanValue(number != 0),
+                    value -> ((Value.BooleanValue) value).value() ? 1 : 0);
     private static final BitCodes CHARACTERS =
             new BitCodes(
                     Integer.SIZE,
                     0,
                     Character.MAX_VALUE,
-                    number -> new Value.CharacterValue((char) number));
+                    number -> new Value.CharacterValue((char) number),
+                    Value::whole);
 
     /**
-     * @throws GivenUp for real numbers, texts and objects
+     * @throws GivenUp for texts and objects
      */
     static BitCodes of(Type type) {
         return type.match(new OfTypes());
-    }
-
-    /** The number of a value, whatever its type. */
-    static long code(Value value) {
-        if (value instanceof Value.BooleanValue truth) {
-            return truth.value() ? 1 : 0;
-        }
-        return value instanceof Value.EnumValue constant ? constant.ordinal() : value.whole();
     }
 
     boolean isTruth() {
@@ -64,7 +65,8 @@ record BitCodes(int width, long least, long most, LongFunction<Value> meaning) {
                     type.width() == Type.Width.LONG ? Long.SIZE : Integer.SIZE,
                     type.low(),
                     type.high(),
-                    Value.IntegerValue::new);
+                    Value.IntegerValue::new,
+                    Value::whole);
         }
 
         @Override
@@ -78,12 +80,26 @@ record BitCodes(int width, long least, long most, LongFunction<Value> meaning) {
                     Integer.SIZE,
                     0,
                     type.constants().size() - 1L,
-                    number -> new Value.EnumValue(type, (int) number));
+                    number -> new Value.EnumValue(type, (int) number),
+                    value -> ((Value.EnumValue) value).ordinal());
         }
 
         @Override
         public BitCodes realType(Type.RealType type) {
-            throw noBits(type);
+            RealFormat format = RealFormat.of(type);
+            return new BitCodes(
+                    format.width(),
+                    Long.MIN_VALUE,
+                    Long.MAX_VALUE,
+                    code -> new Value.RealValue(format.real(code)),
+                    value -> code(value, type));
+        }
+
+        private static long code(Value value, Type.RealType type) {
+            if (value instanceof Value.RealValue real && type.has(value)) {
+                return RealFormat.of(type).code(real.value());
+            }
+            throw new GivenUp("%s is no %s".formatted(value, type.name()));
         }
 
         @Override

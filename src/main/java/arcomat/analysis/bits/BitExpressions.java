@@ -11,11 +11,12 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Expressions over the messages of a letter, each of which is there, in bits: exactly as the
  * interpreter has them. Truth values are one bit; constants of enumerations and characters are
- * their positions.
+ * their positions, numbers of floating point what Java has in memory.
  */
 final class BitExpressions implements Expression.SomeCases<int[]> {
     private final Circuit circuit;
@@ -60,14 +61,36 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         if (codes.isTruth()) {
             return circuit.of(true);
         }
+        if (type instanceof Type.RealType real) {
+            return reals(real).isPattern(bits);
+        }
         int[] least = circuit.constant(codes.least(), bits.length);
         int[] most = circuit.constant(codes.most(), bits.length);
         return circuit.and(-circuit.isLess(bits, least), -circuit.isLess(most, bits));
     }
 
+    /** Whether a number of floating point is one that is easy to read. */
+    int isShort(int[] bits, Type.RealType type, int width) {
+        return reals(type).isShort(bits, width);
+    }
+
     int[] value(Value value, Type type) {
-        int width = BitCodes.of(type).width();
-        return circuit.constant(BitCodes.code(value), width);
+        BitCodes codes = BitCodes.of(type);
+        return circuit.constant(codes.code().applyAsLong(value), codes.width());
+    }
+
+    private FloatingPoint reals(Type.RealType type) {
+        return new FloatingPoint(circuit, RealFormat.of(type));
+    }
+
+    /** Where both are numbers of floating point, their arithmetic; nothing where neither is one. */
+    private Optional<FloatingPoint> reals(Expression one, Expression other) {
+        boolean isReal = one.type() instanceof Type.RealType;
+        boolean areAlike = one.type().equals(other.type());
+        if (!areAlike && (isReal || other.type() instanceof Type.RealType)) {
+            throw noBits();
+        }
+        return isReal ? Optional.of(reals((Type.RealType) one.type())) : Optional.empty();
     }
 
     private static GivenUp noBits() {
@@ -117,7 +140,20 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         return new int[] {literal};
     }
 
+    /** As models compare; see {@link #areSame}. */
     int areEqual(Expression one, Expression other) {
+        return reals(one, other)
+                .map(reals -> reals.areEqual(bits(one), bits(other)))
+                .orElseGet(() -> areSame(one, other));
+    }
+
+    /**
+     * Whether they are the same message: two zeros are two messages, and what is no number is one.
+     */
+    int areSame(Expression one, Expression other) {
+        if (reals(one, other).isPresent()) {
+            return circuit.areEqual(bits(one), bits(other));
+        }
         int[] a = bits(one);
         int[] b = bits(other);
         if ((a.length == 1) != (b.length == 1)) {
@@ -129,24 +165,45 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] conditional(Expression.Conditional choice) {
-        int width = BitCodes.of(choice.type()).width();
         return circuit.choose(
                 truth(choice.condition()),
-                Circuit.resized(bits(choice.then()), width),
-                Circuit.resized(bits(choice.otherwise()), width));
+                sized(choice.then(), choice.type()),
+                sized(choice.otherwise(), choice.type()));
     }
 
     @Override
     public int[] cast(Expression.Cast cast) {
-        int[] operand = bits(cast.operand());
-        if (cast.type() instanceof Type.CharacterType) {
+        if (cast.type() instanceof Type.RealType real) {
+            return toReal(cast.operand(), real);
+        }
+        if (cast.operand().type() instanceof Type.RealType real) {
+            int width = Math.max(Integer.SIZE, BitCodes.of(cast.type()).width());
+            return narrowed(reals(real).toWhole(bits(cast.operand()), width), cast.type());
+        }
+        return narrowed(bits(cast.operand()), cast.type());
+    }
+
+    private int[] toReal(Expression operand, Type.RealType type) {
+        if (operand.type() instanceof Type.RealType from) {
+            return from.equals(type)
+                    ? bits(operand)
+                    : reals(type).converted(bits(operand), RealFormat.of(from));
+        }
+        if (!operand.type().isNumber()) {
+            throw noBits();
+        }
+        return reals(type).ofWhole(bits(operand));
+    }
+
+    private int[] narrowed(int[] operand, Type type) {
+        if (type instanceof Type.CharacterType) {
             int[] wide = Circuit.resized(operand, Integer.SIZE);
             for (int i = Character.SIZE; i < wide.length; i++) {
                 wide[i] = circuit.of(false);
             }
             return wide;
         }
-        if (cast.type() instanceof Type.IntegerType integer) {
+        if (type instanceof Type.IntegerType integer) {
             int kept =
                     switch (integer.width()) {
                         case BYTE -> Byte.SIZE;
@@ -157,21 +214,33 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
             int[] narrow = Circuit.resized(operand, Math.min(kept, operand.length));
             return Circuit.resized(narrow, BitCodes.of(integer).width());
         }
-        return Circuit.resized(operand, BitCodes.of(cast.type()).width());
+        return Circuit.resized(operand, BitCodes.of(type).width());
     }
 
     @Override
     public int[] unary(Expression.Unary unary) {
-        int[] operand = bits(unary.operand());
+        int[] operand = sized(unary.operand(), unary.type());
         return switch (unary.operator()) {
             case NOT -> one(-operand[0]);
-            case NEGATE -> circuit.negated(sized(operand, unary.type()));
-            case COMPLEMENT -> circuit.complement(sized(operand, unary.type()));
+            case NEGATE -> negated(operand, unary.type());
+            case COMPLEMENT -> circuit.complement(operand);
         };
     }
 
-    private static int[] sized(int[] operand, Type type) {
-        return Circuit.resized(operand, BitCodes.of(type).width());
+    private int[] negated(int[] operand, Type type) {
+        return type instanceof Type.RealType real
+                ? reals(real).negated(operand)
+                : circuit.negated(operand);
+    }
+
+    /** In as many bits as a type has: of a number of floating point, all are needed as they are. */
+    private int[] sized(Expression operand, Type type) {
+        boolean isReal = type instanceof Type.RealType;
+        if (isReal != operand.type() instanceof Type.RealType
+                || isReal && !type.equals(operand.type())) {
+            throw noBits();
+        }
+        return Circuit.resized(bits(operand), BitCodes.of(type).width());
     }
 
     @Override
@@ -182,9 +251,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
             case EQUAL -> one(areEqual(left, right));
             case NOT_EQUAL -> one(-areEqual(left, right));
             case LESS -> one(isLess(left, right));
-            case LESS_OR_EQUAL -> one(-isLess(right, left));
+            case LESS_OR_EQUAL -> one(isAtMost(left, right));
             case GREATER -> one(isLess(right, left));
-            case GREATER_OR_EQUAL -> one(-isLess(left, right));
+            case GREATER_OR_EQUAL -> one(isAtMost(right, left));
             case AND -> one(circuit.and(truth(left), truth(right)));
             case OR -> one(circuit.or(truth(left), truth(right)));
             case IMPLIES -> one(circuit.or(-truth(left), truth(right)));
@@ -194,6 +263,19 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private int isLess(Expression one, Expression other) {
+        return reals(one, other)
+                .map(reals -> reals.isLess(bits(one), bits(other)))
+                .orElseGet(() -> isBelow(one, other));
+    }
+
+    /** What is no number is neither. */
+    private int isAtMost(Expression one, Expression other) {
+        return reals(one, other)
+                .map(reals -> reals.isAtMost(bits(one), bits(other)))
+                .orElseGet(() -> -isBelow(other, one));
+    }
+
+    private int isBelow(Expression one, Expression other) {
         int[] a = bits(one);
         int[] b = bits(other);
         int width = Math.max(a.length, b.length);
@@ -201,15 +283,32 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private int[] arithmetic(Expression.Binary binary) {
-        int[] left = sized(bits(binary.left()), binary.type());
-        int[] right = sized(bits(binary.right()), binary.type());
-        BinaryOperator operator = binary.operator();
+        int[] left = sized(binary.left(), binary.type());
+        int[] right = sized(binary.right(), binary.type());
+        return binary.type() instanceof Type.RealType real
+                ? calculated(reals(real), binary.operator(), left, right)
+                : calculated(binary.operator(), left, right);
+    }
+
+    private int[] calculated(BinaryOperator operator, int[] left, int[] right) {
         return switch (operator) {
             case PLUS -> circuit.sum(left, right);
             case MINUS -> circuit.difference(left, right);
             case MULTIPLY -> circuit.product(left, right);
             case DIVIDE -> circuit.divided(left, right).quotient();
             case REMAINDER -> circuit.divided(left, right).rest();
+            default -> throw noBits();
+        };
+    }
+
+    /** A remainder takes a step for each bit of a quotient that may have two thousand. */
+    private static int[] calculated(
+            FloatingPoint reals, BinaryOperator operator, int[] left, int[] right) {
+        return switch (operator) {
+            case PLUS -> reals.sum(left, right);
+            case MINUS -> reals.difference(left, right);
+            case MULTIPLY -> reals.product(left, right);
+            case DIVIDE -> reals.quotient(left, right);
             default -> throw noBits();
         };
     }

@@ -11,15 +11,19 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 
 /**
- * Letters that make conditions true, where all is whole numbers, truth values and constants. Says
- * that there is none only where that is proved and the proof has been checked. Conditions are
- * literals: negative where the opposite is meant. All gives up where something else comes in.
+ * Letters that make conditions true, where all is numbers, truth values and constants. Says that
+ * there is none only where that is proved and the proof has been checked. Conditions are literals:
+ * negative where the opposite is meant. All gives up where something else comes in.
  */
 public final class BitLetters {
     /** Assignments for one letter: seconds. A solver that needs more hardly finds an end. */
     private static final long MOST_WORK = 10_000_000;
+
+    /** Of these, to look for numbers that are easy to read. */
+    private static final long WORK_FOR_SHORT = MOST_WORK / 20;
 
     private final List<Port> ports;
     private final BooleanSupplier stop;
@@ -60,9 +64,9 @@ public final class BitLetters {
         return expressions.truth(condition);
     }
 
-    /** That two expressions have one value. */
-    public int areEqual(Expression one, Expression other) {
-        return expressions.areEqual(one, other);
+    /** That two expressions give the same message. */
+    public int areSame(Expression one, Expression other) {
+        return expressions.areSame(one, other);
     }
 
     /** That an expression has a value. */
@@ -93,17 +97,23 @@ public final class BitLetters {
      */
     public Optional<Value[]> find() {
         workBefore = solver.work();
-        return solver.solveWith(areBelow(7)) || solver.solveWith(areBelow(15)) || solver.solve()
+        return solver.finds(WORK_FOR_SHORT, areBelow(7))
+                        || solver.finds(WORK_FOR_SHORT, areBelow(15))
+                        || solver.solve()
                 ? Optional.of(ports.stream().map(this::message).toArray(Value[]::new))
                 : Optional.empty();
     }
 
     /** That all messages are numbers of so many bits. */
     private int[] areBelow(int width) {
-        return ports.stream()
-                .flatMapToInt(port -> Arrays.stream(expressions.message(port)).skip(width))
-                .map(bit -> -bit)
-                .toArray();
+        return ports.stream().flatMapToInt(port -> areBelow(port, width)).toArray();
+    }
+
+    private IntStream areBelow(Port port, int width) {
+        int[] bits = expressions.message(port);
+        return port.type() instanceof Type.RealType real
+                ? IntStream.of(expressions.isShort(bits, real, width))
+                : Arrays.stream(bits).skip(width).map(bit -> -bit);
     }
 
     private Value message(Port port) {

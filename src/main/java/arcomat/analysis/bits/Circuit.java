@@ -6,6 +6,7 @@ import arcomat.semantics.value.GivenUp;
 import com.carrotsearch.hppc.LongIntHashMap;
 
 import java.util.Arrays;
+import java.util.OptionalLong;
 
 /**
  * Gates in clauses (Tseitin 1968). Numbers are arrays of literals, the least bit first, and the
@@ -43,6 +44,22 @@ final class Circuit {
 
     private boolean isFalse(int literal) {
         return literal == -clauses.truth();
+    }
+
+    private boolean isKnown(int literal) {
+        return isTrue(literal) || isFalse(literal);
+    }
+
+    /** The number that some bits are beforehand; nothing where it depends on something. */
+    OptionalLong known(int[] number) {
+        if (!Arrays.stream(number).allMatch(this::isKnown)) {
+            return OptionalLong.empty();
+        }
+        long known = 0;
+        for (int i = 0; i < number.length; i++) {
+            known |= isTrue(number[i]) ? 1L << i : 0;
+        }
+        return OptionalLong.of(known);
     }
 
     int and(int a, int b) {
@@ -97,6 +114,15 @@ final class Circuit {
         clauses.add(gate, -a, b);
         clauses.add(gate, a, -b);
         return gate;
+    }
+
+    /** Whether one of some bits is set. */
+    int any(int[] bits, int from, int to) {
+        int any = of(false);
+        for (int i = from; i < to; i++) {
+            any = or(any, bits[i]);
+        }
+        return any;
     }
 
     int choose(int condition, int then, int otherwise) {
@@ -154,7 +180,10 @@ final class Circuit {
         return difference(constant(0, number.length), number);
     }
 
-    private int[] sum(int[] a, int[] b, int carry) {
+    /**
+     * @param carry a literal: one more where it is true
+     */
+    int[] sum(int[] a, int[] b, int carry) {
         int enough = Math.max(needed(a), needed(b)) + 1;
         return enough < a.length
                 ? resized(added(resized(a, enough), resized(b, enough), carry), a.length)
@@ -193,7 +222,8 @@ final class Circuit {
         return product;
     }
 
-    private static boolean isFirst(int[] one, int[] other) {
+    /** Some order of operands, of which it does not matter which one comes first. */
+    static boolean isFirst(int[] one, int[] other) {
         int i = 0;
         while (i < one.length - 1 && one[i] == other[i]) {
             i++;
@@ -216,7 +246,7 @@ final class Circuit {
     }
 
     /** Of the least number it is its own pattern, which is right where there are no signs. */
-    private int[] absolute(int[] number) {
+    int[] absolute(int[] number) {
         return choose(number[number.length - 1], negated(number), number);
     }
 
@@ -238,7 +268,7 @@ final class Circuit {
     }
 
     /** Of numbers without a sign. */
-    private int isBelow(int[] a, int[] b) {
+    int isBelow(int[] a, int[] b) {
         int below = of(false);
         for (int i = 0; i < a.length; i++) {
             below = choose(xor(a[i], b[i]), b[i], below);

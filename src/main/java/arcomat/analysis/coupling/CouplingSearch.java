@@ -4,6 +4,7 @@ import arcomat.analysis.bits.BitLetters;
 import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Evaluation;
@@ -51,8 +52,12 @@ public final class CouplingSearch {
     private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
         this.coupling = coupling;
         this.stop = stop;
-        this.variables =
-                coupling.memory.stream().filter(each -> BitLetters.areFor(each.type())).toList();
+        this.variables = coupling.memory.stream().filter(each -> isCompared(each.type())).toList();
+    }
+
+    /** Of numbers of floating point it is not known what may be so of them. */
+    private static boolean isCompared(Type type) {
+        return BitLetters.areFor(type) && !(type instanceof Type.RealType);
     }
 
     /**

@@ -48,7 +48,7 @@ final class SliceSolver {
 
     private int allows(Emitted theirs, Emitted mine) {
         return theirs.message().isPresent() && mine.message().isPresent()
-                ? letters.areEqual(theirs.message().get(), mine.message().get())
+                ? letters.areSame(theirs.message().get(), mine.message().get())
                 : truth(theirs.allows(mine));
     }
 

@@ -204,7 +204,7 @@ final class CompositionalRefinement {
 
     private Verdict verdict() {
         long pairs = compared.values().stream().mapToLong(v -> v.explored().pairs()).sum();
-        int mine = compared.values().stream().mapToInt(v -> v.explored().left()).sum();
+        int mine = compared.values().stream().mapToInt(v -> v.explored().left().orElse(0)).sum();
         int theirs = compared.values().stream().mapToInt(v -> v.explored().right()).sum();
         boolean simulation = compared.values().stream().allMatch(v -> v.simulation().orElse(false));
         String note =

@@ -173,21 +173,20 @@ public final class InvariantProof {
             TraceInclusion inclusion,
             Consumer<TraceInclusion> shown) {
         TraceInclusion.Result result = inclusion.run();
-        Explored explored = explored(inclusion);
         if (result.failure().isPresent()) {
             InvariantCounterexample told =
                     new InvariantCounterexample(asked.component(), together, watch);
             Counterexample found = inclusion.counterexample(result.failure().get());
             List<Moment> slices = told.slices(found.moments());
-            return Verdict.breaks(
-                    slices, told.explanation(invariant, found.forbidden(), slices), explored);
+            List<Sentence> explanation = told.explanation(invariant, found.forbidden(), slices);
+            return Verdict.breaks(slices, explanation, explored(inclusion));
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {
-            return Verdict.unknown(stopped.get(), explored);
+            return Verdict.unknown(stopped.get(), explored(inclusion));
         }
         shown.accept(inclusion);
-        return Verdict.holds(Optional.empty(), List.of(), explored);
+        return Verdict.holds(Optional.empty(), List.of(), explored(inclusion));
     }
 
     private static Explored explored(TraceInclusion inclusion) {

@@ -14,6 +14,7 @@ import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.semantics.automaton.ComponentSemantics;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -155,7 +156,12 @@ public final class Refinement {
                 notes,
                 new Explored(
                         explored.stream().mapToLong(Explored::pairs).sum(),
-                        explored.stream().mapToInt(Explored::left).max().orElse(0),
+                        explored.stream().anyMatch(each -> each.left().isEmpty())
+                                ? Optional.empty()
+                                : explored.stream()
+                                        .flatMap(each -> each.left().stream())
+                                        .max(Comparator.naturalOrder())
+                                        .or(() -> Optional.of(0)),
                         explored.stream().mapToInt(Explored::right).sum()));
     }
 
@@ -237,7 +243,7 @@ public final class Refinement {
     }
 
     private Verdict unknown(String reason) {
-        return Verdict.unknown(reason, systems.explored(inclusion));
+        return Verdict.unknown(reason, explored());
     }
 
     private Verdict searched(Consumer<Supplier<Optional<Certificate>>> proof) {
@@ -247,19 +253,23 @@ public final class Refinement {
 
     private Verdict found(Consumer<Supplier<Optional<Certificate>>> proof) {
         TraceInclusion.Result result = inclusion.run();
-        Explored explored = systems.explored(inclusion);
         if (result.failure().isPresent()) {
-            Verdict verdict = failure(result.failure().get(), explored);
+            Verdict verdict = failure(result.failure().get(), this::explored);
             return inclusion.missing().isPresent() ? verdict.with(NOT_SHORTEST) : verdict;
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {
-            return Verdict.unknown(stopped.get(), explored);
+            return unknown(stopped.get());
         }
         proof.accept(inclusion::certificate);
         List<String> notes =
                 Vacuity.notes(right, systems.right(), result, inclusion.invariant().isEmpty());
-        return Verdict.holds(result.simulation(), notes, explored);
+        return Verdict.holds(result.simulation(), notes, explored());
+    }
+
+    /** Counting comes last: the answer does not wait for it. */
+    private Explored explored() {
+        return systems.explored(inclusion);
     }
 
     /**
@@ -294,9 +304,9 @@ public final class Refinement {
 
     private List<Verdict> allSearched() {
         TraceInclusion.Result result = inclusion.runOn();
-        Explored explored = systems.explored(inclusion);
+        Explored explored = explored();
         List<Verdict> found = new ArrayList<>();
-        inclusion.failures().forEach(each -> found.add(failure(each, explored)));
+        inclusion.failures().forEach(each -> found.add(failure(each, () -> explored)));
         result.stopped()
                 .or(systems.left()::leftOut)
                 .ifPresent(why -> found.add(Verdict.unknown(why, explored)));
@@ -304,16 +314,16 @@ public final class Refinement {
     }
 
     /** What is forbidden by the steps that are known may be allowed by one that is left out. */
-    private Verdict failure(TraceInclusion.Failure failure, Explored explored) {
+    private Verdict failure(TraceInclusion.Failure failure, Supplier<Explored> explored) {
         Optional<String> leftOut = systems.right().leftOut();
         if (leftOut.isPresent()) {
-            return Verdict.unknown(leftOut.get(), explored);
+            return Verdict.unknown(leftOut.get(), explored.get());
         }
         Counterexample found = inclusion.counterexample(failure);
         List<Moment> trace = found.moments();
         List<Sentence> explanation =
                 Explanation.of(left, right, found.forbidden(), trace.size() - 1);
-        Verdict verdict = Verdict.fails(trace, explanation, explored);
+        Verdict verdict = Verdict.fails(trace, explanation, explored.get());
         List<String> shifted =
                 systems.shifted().stream().filter(port -> isAsked(right, port)).toList();
         return shifted.isEmpty() ? verdict : verdict.with(shifted(shifted));

@@ -58,9 +58,17 @@ public record Verdict(
         }
     }
 
-    /** How far a search went: pairs that were compared and configurations of both sides. */
-    public record Explored(long pairs, int left, int right) {
+    /**
+     * How far a search went: pairs that were compared and configurations of both sides.
+     *
+     * @param left empty where counting would have taken longer than the search may
+     */
+    public record Explored(long pairs, Optional<Integer> left, int right) {
         public static final Explored NOTHING = new Explored(0, 0, 0);
+
+        public Explored(long pairs, int left, int right) {
+            this(pairs, Optional.of(left), right);
+        }
 
         /** Whether the answer was found without any search. */
         public boolean isNothing() {

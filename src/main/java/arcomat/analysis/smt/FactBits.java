@@ -55,7 +55,7 @@ final class FactBits implements FactSolver {
         }
         int is =
                 fact instanceof DataFact.Same same
-                        ? letters.and(List.of(when, letters.areEqual(same.one(), same.two())))
+                        ? letters.and(List.of(when, letters.areSame(same.one(), same.two())))
                         : when;
         return ((Value.BooleanValue) shown.orElseThrow()).value() ? is : -is;
     }

@@ -1,5 +1,6 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.bits.Thresholds;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Evaluation;
@@ -48,7 +49,7 @@ public final class MessageExamples {
 
     private MessageExamples(List<Port> ports, List<DataFact> facts, BooleanSupplier stop) {
         this.ports = ports;
-        this.facts = facts;
+        this.facts = facts.stream().map(fact -> fact.with(Thresholds::simplified)).toList();
         this.stop = stop;
         Scope scope = Scope.ofPorts(ports);
         this.looks = facts.stream().map(fact -> look(fact, scope)).toList();

@@ -10,6 +10,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 /**
  * Messages that are easy to read, tried before a solver is asked: the first values of types, and
@@ -47,12 +49,40 @@ record SmallExamples(List<Port> ports, List<DataFact> facts) {
             for (long number : new long[] {1, -1, 2, integer.high(), integer.low()}) {
                 add(integer, number, values);
             }
+        } else if (type instanceof Type.RealType real) {
+            reals(real).filter(type::has).forEach(values::add);
         } else {
             mentioned().stream()
                     .filter(value -> value.getClass() == type.first().getClass())
                     .forEach(values::add);
         }
         return List.copyOf(values);
+    }
+
+    /** Where rounding begins, too: next to what is mentioned, and at the ends of all numbers. */
+    private Stream<Value> reals(Type.RealType type) {
+        double least = type.single() ? Float.MIN_VALUE : Double.MIN_VALUE;
+        double most = type.single() ? Float.MAX_VALUE : Double.MAX_VALUE;
+        DoubleStream all = DoubleStream.of(1, least, Double.POSITIVE_INFINITY, most);
+        DoubleStream mentioned =
+                mentioned().stream().flatMapToDouble(value -> beside(value, type.single()));
+        return DoubleStream.concat(
+                        DoubleStream.concat(mentioned, all).flatMap(d -> DoubleStream.of(d, -d)),
+                        DoubleStream.of(Double.NaN, -0.0))
+                .mapToObj(Value.RealValue::new);
+    }
+
+    private static DoubleStream beside(Value value, boolean single) {
+        if (value instanceof Value.RealValue real) {
+            double number = real.value();
+            return single
+                    ? DoubleStream.of(
+                            number, Math.nextUp((float) number), Math.nextDown((float) number))
+                    : DoubleStream.of(number, Math.nextUp(number), Math.nextDown(number));
+        }
+        return value instanceof Value.IntegerValue whole
+                ? DoubleStream.of(whole.value())
+                : DoubleStream.empty();
     }
 
     private static void beside(Type.IntegerType type, Value value, Set<Value> values) {

@@ -54,13 +54,26 @@ public final class CheckedSolver {
 
     /** Whether they can, together with some literals. That they cannot is not checked. */
     public boolean solveWith(int... literals) {
+        tell();
+        return solver.solve(literals);
+    }
+
+    /**
+     * Whether a way is found in which they can, together with some literals, before so much work
+     * has been done; else nothing is said.
+     */
+    public boolean finds(long most, int... literals) {
+        tell();
+        return solver.finds(most, literals);
+    }
+
+    private void tell() {
         for (; variables < clauses.variables(); variables++) {
             solver.variable();
         }
         for (; told < clauses.all().size(); told++) {
             solver.add(clauses.all().get(told));
         }
-        return solver.solve(literals);
     }
 
     /** Of each, whether it is true in the way that was found. */

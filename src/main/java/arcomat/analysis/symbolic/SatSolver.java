@@ -135,6 +135,18 @@ public final class SatSolver {
 
     /** Whether all clauses can be true, together with some literals. */
     public boolean solve(int... assumptions) {
+        return solve(Long.MAX_VALUE, assumptions);
+    }
+
+    /**
+     * Whether a way is found in which they can, before so much work has been done; else nothing is
+     * said.
+     */
+    boolean finds(long most, int... assumptions) {
+        return solve(work + most, assumptions);
+    }
+
+    private boolean solve(long until, int[] assumptions) {
         core = new int[0];
         backTo(0);
         int conflicts = 0;
@@ -151,6 +163,9 @@ public final class SatSolver {
                 restarts++;
                 backTo(0);
                 forget();
+                if (work > until) {
+                    return false;
+                }
             } else if (limits.size() < assumptions.length) {
                 if (!assume(own(assumptions[limits.size()]))) {
                     return false;

@@ -5,20 +5,13 @@ import arcomat.analysis.refinement.MonaRefinement;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
-import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.Shortcut;
 import arcomat.generate.MonaText;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
-import arcomat.pipeline.explored.ExploredFolder;
-import arcomat.pipeline.file.Failures;
-import arcomat.source.SourceFile;
+import arcomat.pipeline.explored.ExploredSearches;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.util.List;
 import java.util.Optional;
 
 /** Who decides whether one component refines another. */
@@ -87,47 +80,32 @@ public sealed interface Prover {
      * The engine, with what it explores in files instead of memory; it goes on with what it finds
      * there. Only the search through configurations is asked.
      *
-     * @param folder for the files
-     * @param version of the tool
-     * @param models the files that are asked about
+     * @param models that are asked about; empty before they are known
      */
-    record EngineOnDisk(String folder, String version, List<SourceFile> models) implements Prover {
-        public EngineOnDisk {
-            models = List.copyOf(models);
-        }
-
-        public EngineOnDisk(String folder, String version) {
-            this(folder, version, List.of());
+    record EngineOnDisk(Disk disk, Optional<LoweredModels> models) implements Prover {
+        public EngineOnDisk(Disk disk) {
+            this(disk, Optional.empty());
         }
 
         @Override
         public Prover about(LoweredModels asked) {
-            return new EngineOnDisk(folder, version, asked.checked().loaded().sources());
+            return new EngineOnDisk(disk, Optional.of(asked));
         }
-
-        private static final String GOES_ON =
-                "what was explored is kept in '%s': the same command goes on from there";
 
         @Override
         public Verdict decide(Promise left, Promise right, AnalysisLimits limits, PathNames names)
                 throws WrongUse {
-            Budget budget = limits.beyondMemory().with(rule -> rule != Shortcut.SYMBOLIC);
-            try (ExploredFolder explored =
-                    ExploredFolder.open(folder, left, right, models, version, names)) {
-                Verdict verdict =
-                        Refinement.check(
-                                left,
-                                right,
-                                budget,
-                                one -> Optional.of(explored.stores(one, budget)));
-                return verdict.answer() == Answer.UNKNOWN && explored.isUsed()
-                        ? verdict.with(GOES_ON.formatted(folder))
-                        : verdict;
-            } catch (UncheckedIOException failed) {
-                throw ExploredFolder.failure(folder, failed);
-            } catch (IOException unclosed) {
-                throw Failures.cannot("write to", folder, unclosed);
-            }
+            Budget budget = disk.budget(limits);
+            return disk.ofRefinement(
+                    left,
+                    right,
+                    models.orElseThrow(),
+                    names,
+                    explored -> {
+                        try (ExploredSearches searches = explored.alone()) {
+                            return ProverOnDisk.refines(left, right, budget, searches);
+                        }
+                    });
         }
     }
 

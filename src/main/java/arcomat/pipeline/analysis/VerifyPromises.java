@@ -23,15 +23,17 @@ import java.util.Optional;
  *
  * @param certificate file to write the proofs of what holds to
  * @param doubted file with proofs; then nothing is searched, and these are verified
+ * @param disk where what is explored is kept, if not in memory
  */
 public record VerifyPromises(
         List<String> paths,
         Optional<String> certificate,
         Optional<String> doubted,
+        Optional<Disk> disk,
         AnalysisLimits limits)
         implements ModelQuestion<List<Answered>> {
     public VerifyPromises(List<String> paths, AnalysisLimits limits) {
-        this(paths, Optional.empty(), Optional.empty(), limits);
+        this(paths, Optional.empty(), Optional.empty(), Optional.empty(), limits);
     }
 
     @Override
@@ -45,10 +47,23 @@ public record VerifyPromises(
             PromiseProver verifier = new CertificateFile(doubted.get(), session.names()).verifier();
             return answers(models, verifier, limits.budget(), session.progress());
         }
+        if (disk.isPresent()) {
+            return onDisk(disk.get(), models, session);
+        }
         return certificate.isPresent()
                 ? certified(
                         new CertificateFile(certificate.get(), session.names()), models, session)
                 : answers(models, limits.budget(), session.progress());
+    }
+
+    private List<Answered> onDisk(Disk kept, LoweredModels models, Session session)
+            throws WrongUse {
+        Budget budget = kept.budget(limits);
+        return kept.ofPromises(
+                models,
+                session.names(),
+                explored ->
+                        answers(models, new ProverOnDisk(explored), budget, session.progress()));
     }
 
     private List<Answered> certified(CertificateFile file, LoweredModels models, Session session)

@@ -1,11 +1,6 @@
 package arcomat.pipeline.explored;
 
 import arcomat.analysis.refinement.Promise;
-import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.external.ExternalPairs;
-import arcomat.analysis.search.packed.PackedLayout;
-import arcomat.analysis.search.packed.PackedNetwork;
-import arcomat.analysis.search.packed.PairStore;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.explored.BlockFile.Damaged;
@@ -22,7 +17,6 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,37 +24,32 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** A folder for what is explored to answer one question, while it is used. */
+/** A folder for what is explored to answer a question, or several, while it is used. */
 public final class ExploredFolder implements Closeable {
     private static final String QUESTION = "question";
     private static final String LOCK = "lock";
 
-    /** Bytes of heap for each word of a pair: in tables, and while they are sorted. */
-    private static final long BYTES = 128;
-
-    /** Words beside the key of a pair. */
-    private static final int BESIDE = 3;
-
-    private static final long MOST_PAIRS = 50_000_000;
-
+    private final String written;
     private final Path folder;
     private final FileChannel lock;
-    private final List<BlockFolder> open = new ArrayList<>();
-    private final Map<Promise, Integer> asked = new HashMap<>();
 
-    private ExploredFolder(Path folder, FileChannel lock) {
+    /** How many promises had a name so far. */
+    private final Map<String, Integer> named = new HashMap<>();
+
+    private ExploredFolder(String written, Path folder, FileChannel lock) {
+        this.written = written;
         this.folder = folder;
         this.lock = lock;
     }
 
     /**
-     * Begins, or goes on.
+     * Begins, or goes on, with the question whether one component refines another.
      *
      * @param written the folder, as the user wrote it
      * @param version of the tool
      * @throws WrongUse where the folder is of something else, or cannot be used
      */
-    public static ExploredFolder open(
+    public static ExploredFolder ofRefinement(
             String written,
             Promise left,
             Promise right,
@@ -68,7 +57,18 @@ public final class ExploredFolder implements Closeable {
             String version,
             PathNames names)
             throws WrongUse {
-        ExploredQuestion question = ExploredQuestion.of(left, right, models, version);
+        return open(written, ExploredQuestion.ofRefinement(left, right, models, version), names);
+    }
+
+    /** As above, with all that models promise. */
+    public static ExploredFolder ofPromises(
+            String written, List<SourceFile> models, String version, PathNames names)
+            throws WrongUse {
+        return open(written, ExploredQuestion.ofPromises(models, version), names);
+    }
+
+    private static ExploredFolder open(String written, ExploredQuestion question, PathNames names)
+            throws WrongUse {
         Path folder = names.resolve(written);
         try {
             if (Files.exists(folder) && !Files.isDirectory(folder)) {
@@ -78,7 +78,7 @@ public final class ExploredFolder implements Closeable {
             Files.createDirectories(folder);
             FileChannel lock = lock(folder, written);
             AtomicFile.write(folder.resolve(QUESTION), question.text());
-            return new ExploredFolder(folder, lock);
+            return new ExploredFolder(written, folder, lock);
         } catch (IOException e) {
             throw Failures.cannot("use", written, e);
         }
@@ -128,34 +128,22 @@ public final class ExploredFolder implements Closeable {
         throw new WrongUse("'%s' is in use by another search; wait for it to end", written);
     }
 
+    /** The place of the one question that the folder is about. */
+    public ExploredSearches alone() {
+        return in(folder);
+    }
+
     /**
-     * Places for the pairs of the search whether a promise is kept.
-     *
-     * @param budget asked on the way
+     * The place of one of the promises that the folder is about. Each has its own, also where names
+     * are alike; with the same models they are asked in the same order.
      */
-    public PairStore.Maker stores(Promise right, Budget budget) {
-        int number = asked.computeIfAbsent(right, promise -> asked.size());
-        int[] attempts = {0};
-        return (network, layout) ->
-                store(network, layout, number + "-" + attempts[0]++, budget::insist);
+    public ExploredSearches of(String title) {
+        PromiseName name = new PromiseName(title, named.merge(title, 1, Integer::sum));
+        return in(folder.resolve(name.asFile()));
     }
 
-    private PairStore store(
-            PackedNetwork network, PackedLayout layout, String name, Runnable between) {
-        try {
-            BlockFolder memory = BlockFolder.in(folder.resolve(name));
-            open.add(memory);
-            long capacity = Runtime.getRuntime().maxMemory() / (BYTES * (layout.words() + BESIDE));
-            return new ExternalPairs(
-                    network, layout, memory, (int) Math.min(capacity, MOST_PAIRS), between);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    /** Whether there is anything in it that can be gone on with. */
-    public boolean isUsed() {
-        return open.stream().anyMatch(each -> each.notes().isPresent());
+    private ExploredSearches in(Path place) {
+        return new ExploredSearches(written, place, Runtime.getRuntime().maxMemory());
     }
 
     /** What the user is told where the files failed. */
@@ -173,9 +161,6 @@ public final class ExploredFolder implements Closeable {
 
     @Override
     public void close() throws IOException {
-        for (BlockFolder each : open) {
-            each.close();
-        }
         lock.close();
     }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 
@@ -30,13 +31,20 @@ record ExploredQuestion(String version, String asked, Map<String, String> models
         models = new TreeMap<>(models);
     }
 
-    static ExploredQuestion of(
+    static ExploredQuestion ofRefinement(
             Promise left, Promise right, List<SourceFile> models, String version) {
+        return of(side(left) + " refines " + side(right), models, version);
+    }
+
+    static ExploredQuestion ofPromises(List<SourceFile> models, String version) {
+        return of("whether all promises are kept", models, version);
+    }
+
+    private static ExploredQuestion of(String asked, List<SourceFile> models, String version) {
         Map<String, String> digests = new TreeMap<>();
         for (SourceFile each : models) {
             digests.put(each.path(), Sha256.hex(each.text()));
         }
-        String asked = side(left) + " refines " + side(right);
         return new ExploredQuestion(Sha256.hex(version), asked, digests);
     }
 
@@ -92,13 +100,16 @@ record ExploredQuestion(String version, String asked, Map<String, String> models
         if (models.equals(other.models)) {
             return Optional.empty();
         }
-        TreeMap<String, String> changed = new TreeMap<>(models);
-        changed.putAll(other.models);
-        changed.keySet()
-                .removeIf(
-                        path ->
-                                models.containsKey(path)
-                                        && models.get(path).equals(other.models.get(path)));
-        return Optional.of("other models: '" + changed.firstKey() + "' has changed since");
+        TreeMap<String, String> all = new TreeMap<>(models);
+        all.putAll(other.models);
+        all.keySet().removeIf(path -> Objects.equals(models.get(path), other.models.get(path)));
+        String path = all.firstKey();
+        String how =
+                !models.containsKey(path)
+                        ? "was not among them"
+                        : other.models.containsKey(path)
+                                ? "has changed since"
+                                : "is not among these any more";
+        return Optional.of("other models: '%s' %s".formatted(path, how));
     }
 }

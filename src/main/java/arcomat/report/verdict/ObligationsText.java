@@ -20,7 +20,7 @@ public final class ObligationsText {
         Verdict verdict = answered.verdict();
         String blanks = " ".repeat(WIDEST_ANSWER - verdict.answer().name().length());
         List<String> remarks = new ArrayList<>(verdict.notes());
-        if (verdict.answer() == Answer.UNKNOWN && verdict.explored().left() > 0) {
+        if (verdict.answer() == Answer.UNKNOWN && verdict.explored().left().orElse(1) > 0) {
             remarks.add(VerdictText.explored(verdict));
         }
         String notes = remarks.isEmpty() ? "" : "; " + String.join("; ", remarks);

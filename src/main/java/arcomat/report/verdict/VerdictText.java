@@ -3,6 +3,7 @@ package arcomat.report.verdict;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
@@ -149,19 +150,30 @@ public final class VerdictText {
     }
 
     static String explored(Verdict verdict) {
-        return "explored %s of %s and %s configurations%s"
-                .formatted(
-                        FindingsText.count(verdict.explored().pairs(), "pair"),
-                        FindingsText.digits(verdict.explored().left()),
-                        FindingsText.digits(verdict.explored().right()),
-                        verdict.simulation()
-                                .map(
-                                        s ->
-                                                s
-                                                        ? "; there is a simulation"
-                                                        : verdict.answer() == Answer.HOLDS
-                                                                ? "; there is no simulation"
-                                                                : "")
-                                .orElse(""));
+        Explored explored = verdict.explored();
+        String configurations =
+                explored.left()
+                        .map(
+                                left ->
+                                        " of %s and %s configurations"
+                                                .formatted(
+                                                        FindingsText.digits(left),
+                                                        FindingsText.digits(explored.right())))
+                        .orElse("; their configurations were not counted");
+        return "explored "
+                + FindingsText.count(explored.pairs(), "pair")
+                + configurations
+                + simulation(verdict);
+    }
+
+    private static String simulation(Verdict verdict) {
+        boolean fails = verdict.answer() != Answer.HOLDS;
+        return verdict.simulation()
+                .map(
+                        there ->
+                                there
+                                        ? "; there is a simulation"
+                                        : fails ? "" : "; there is no simulation")
+                .orElse("");
     }
 }

@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Stream;
 
 /**
  * The interpreter is the expectation: circuits give what it gives, and letters are what it says.
@@ -33,13 +34,17 @@ class BitLettersTest {
     private static final Type TRUTH = new Type.BooleanType();
     private static final Type INT = Type.IntegerType.of(Width.INT);
     private static final Type LONG = Type.IntegerType.of(Width.LONG);
-    private static final List<Type> NUMBERS = List.of(INT, INT, LONG);
+    private static final Type DOUBLE = new Type.RealType(false);
+    private static final Type SINGLE = new Type.RealType(true);
+    private static final List<Type> NUMBERS = List.of(INT, INT, LONG, DOUBLE, DOUBLE, SINGLE);
     private static final List<Type> TARGETS =
             List.of(
                     Type.IntegerType.of(Width.BYTE),
                     Type.IntegerType.of(Width.SHORT),
                     INT,
                     LONG,
+                    DOUBLE,
+                    SINGLE,
                     new Type.CharacterType());
     private static final List<Port> PORTS =
             List.of(
@@ -48,10 +53,35 @@ class BitLettersTest {
                     port("l", LONG),
                     port("c", new Type.CharacterType()),
                     port("s", Type.IntegerType.of(Width.SHORT)),
+                    port("d", DOUBLE),
+                    port("f", SINGLE),
                     port("t", TRUTH));
+    private static final double[] NOTABLE_REALS = {
+        0,
+        -0.0,
+        0.5,
+        0.1,
+        1,
+        -3,
+        1e10,
+        0x1p53 + 2,
+        Double.MIN_VALUE,
+        Double.MAX_VALUE,
+        Double.NaN,
+        Double.NEGATIVE_INFINITY
+    };
     private static final long[] NOTABLE = {
         0, 1, -1, 2, 3, 7, -8, 255, 65_536, Integer.MAX_VALUE, Integer.MIN_VALUE
     };
+
+    private static final List<BinaryOperator> REAL_OPERATORS =
+            List.of(
+                    BinaryOperator.PLUS,
+                    BinaryOperator.MINUS,
+                    BinaryOperator.MULTIPLY,
+                    BinaryOperator.DIVIDE);
+    private static final List<BinaryOperator> OPERATORS =
+            Stream.concat(REAL_OPERATORS.stream(), Stream.of(BinaryOperator.REMAINDER)).toList();
 
     private static Port port(String name, Type type) {
         return new Port(name, Port.Direction.IN, type, false, 0, false, NOWHERE);
@@ -75,7 +105,7 @@ class BitLettersTest {
         Random random = new Random(seed);
         Value[] letter =
                 PORTS.stream().map(port -> value(port.type(), random)).toArray(Value[]::new);
-        Type type = random.nextInt(3) == 0 ? TRUTH : random.nextBoolean() ? INT : LONG;
+        Type type = random.nextInt(3) == 0 ? TRUTH : pick(NUMBERS, random);
         Expression e = expression(type, 2, random);
         Value expected;
         try {
@@ -104,6 +134,13 @@ class BitLettersTest {
         if (type.equals(TRUTH)) {
             return new Value.BooleanValue(random.nextBoolean());
         }
+        if (type instanceof Type.RealType real) {
+            double number =
+                    random.nextBoolean()
+                            ? NOTABLE_REALS[random.nextInt(NOTABLE_REALS.length)]
+                            : Double.longBitsToDouble(random.nextLong());
+            return new Value.RealValue(real.single() ? (float) number : number);
+        }
         long number =
                 random.nextBoolean() ? NOTABLE[random.nextInt(NOTABLE.length)] : random.nextLong();
         if (type instanceof Type.CharacterType) {
@@ -126,14 +163,14 @@ class BitLettersTest {
             boolean constant = random.nextInt(3) == 0;
             Expression leaf =
                     constant
-                            ? number(((Value.IntegerValue) value(type, random)).value(), type)
+                            ? new Expression.Constant(value(type, random), type, NOWHERE)
                             : read(random.nextInt(PORTS.size() - 1));
             return leaf.type().equals(type) ? leaf : new Expression.Cast(leaf, type, NOWHERE);
         }
         return switch (random.nextInt(8)) {
             case 0 ->
                     new Expression.Unary(
-                            random.nextBoolean()
+                            type instanceof Type.RealType || random.nextBoolean()
                                     ? Expression.UnaryOperator.NEGATE
                                     : Expression.UnaryOperator.COMPLEMENT,
                             expression(type, depth - 1, random),
@@ -156,7 +193,9 @@ class BitLettersTest {
                             NOWHERE);
             default ->
                     binary(
-                            BinaryOperator.values()[random.nextInt(BinaryOperator.LESS.ordinal())],
+                            type instanceof Type.RealType
+                                    ? pick(REAL_OPERATORS, random)
+                                    : pick(OPERATORS, random),
                             expression(type, depth - 1, random),
                             expression(type, depth - 1, random),
                             type);
@@ -230,18 +269,37 @@ class BitLettersTest {
             number = binary(BinaryOperator.DIVIDE, read(2), number, LONG);
         }
         Expression large = number;
-        assertThatThrownBy(() -> letters.areEqual(large, read(2))).isInstanceOf(GivenUp.class);
+        assertThatThrownBy(() -> letters.areSame(large, read(2))).isInstanceOf(GivenUp.class);
     }
 
     @Test
-    void realNumbersAndTextsHaveNoBits() {
-        BitLetters letters = new BitLetters(PORTS, () -> false);
-        Port real = port("r", new Type.RealType(false));
-        Expression isReal = new Expression.Cast(read(0), real.type(), NOWHERE);
-        assertThatThrownBy(() -> letters.areEqual(isReal, isReal)).isInstanceOf(GivenUp.class);
-        Expression half = new Expression.Constant(new Value.RealValue(0.5), real.type(), NOWHERE);
-        assertThatThrownBy(() -> letters.areEqual(half, half)).isInstanceOf(GivenUp.class);
-        assertThatThrownBy(() -> new BitLetters(List.of(real), () -> false))
+    void textsHaveNoBits() {
+        Port text = port("t", new Type.StringType());
+        assertThatThrownBy(() -> new BitLetters(List.of(text), () -> false))
+                .isInstanceOf(GivenUp.class);
+    }
+
+    @Test
+    void remaindersOfRealNumbersHaveNoBits() {
+        BitLetters letters = new BitLetters(List.of(), () -> false);
+        Type real = new Type.RealType(false);
+        Expression half = new Expression.Constant(new Value.RealValue(0.5), real, NOWHERE);
+        Expression rest = binary(BinaryOperator.REMAINDER, half, half, real);
+        assertThatThrownBy(() -> letters.areSame(rest, half)).isInstanceOf(GivenUp.class);
+    }
+
+    /**
+     * A number that is whole is no number of floating point, and none of those of 32 bits is 0.1.
+     */
+    @Test
+    void numbersOfOtherTypesHaveNoBits() {
+        BitLetters letters = new BitLetters(List.of(), () -> false);
+        Type single = new Type.RealType(true);
+        Expression tenth = new Expression.Constant(new Value.RealValue(0.1), single, NOWHERE);
+        assertThatThrownBy(() -> letters.areSame(tenth, tenth)).isInstanceOf(GivenUp.class);
+        Expression one = new Expression.Constant(new Value.RealValue(1), single, NOWHERE);
+        assertThatThrownBy(() -> letters.areSame(one, number(1, INT))).isInstanceOf(GivenUp.class);
+        assertThatThrownBy(() -> letters.is(one, new Value.IntegerValue(1)))
                 .isInstanceOf(GivenUp.class);
     }
 }

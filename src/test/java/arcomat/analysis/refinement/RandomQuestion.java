@@ -24,13 +24,28 @@ public final class RandomQuestion {
     private record Row(int source, Drawn guard, Drawn sent, int target) {}
 
     private static final List<String> INTEGERS = List.of("p", "q");
+
+    /** Whatever takes longer, is not known. */
+    private static final String IN_BITS =
+            "(check-sat-using (using-params qffpbv :max_conflicts 1000))";
+
+    private static final List<Double> REALS = List.of(0.0, 0.5, 1.0, 0.1, 2.0, 1.5, 10.0, 3.0);
     private static final List<Integer> CONSTANTS = List.of(0, 1, 2, 3, 7, -1, 100);
 
     private final Random random;
+    private final boolean reals;
     private final List<Row> left = new ArrayList<>();
     private final List<Row> right = new ArrayList<>();
 
     public RandomQuestion(long seed) {
+        this(seed, false);
+    }
+
+    /**
+     * @param reals whether they mostly calculate with Doubles, and send such
+     */
+    public RandomQuestion(long seed, boolean reals) {
+        this.reals = reals;
         random = new Random(seed);
         int rows = 2 + random.nextInt(3);
         for (int i = 0; i < rows; i++) {
@@ -75,6 +90,9 @@ public final class RandomQuestion {
     }
 
     private Drawn[] atom() {
+        if (reals && random.nextInt(3) > 0) {
+            return calculated();
+        }
         return switch (random.nextInt(10)) {
             case 0, 1, 2 -> integers(term(), term());
             case 3, 4 -> integers(read(), constant());
@@ -169,13 +187,104 @@ public final class RandomQuestion {
         };
     }
 
+    /** Doubles that are calculated with, compared with others. */
+    private Drawn[] calculated() {
+        Drawn[] one = real();
+        Drawn two = random.nextBoolean() ? realConstant() : real()[0];
+        int kind = random.nextInt(5);
+        if (kind == 0) {
+            Drawn cut = cut(realRead());
+            return integers(cut, constant());
+        }
+        String[] signs = {"<", "<=", ">", ">=", "=="};
+        String[] functions = {"fp.lt", "fp.leq", "fp.gt", "fp.geq", "fp.eq"};
+        String[] turned = {">", ">=", "<", "<=", "=="};
+        int sign = random.nextInt(signs.length);
+        String smt = "(" + functions[sign] + " " + one[0].smt + " " + two.smt + ")";
+        return new Drawn[] {
+            new Drawn(one[0].model + " " + signs[sign] + " " + two.model, smt),
+            new Drawn(two.model + " " + turned[sign] + " " + one[1].model, smt),
+        };
+    }
+
+    private Drawn realRead() {
+        String port = random.nextBoolean() ? "d" : "e";
+        return new Drawn(port, port);
+    }
+
+    private Drawn realConstant() {
+        double value = REALS.get(random.nextInt(REALS.size()));
+        return new Drawn(String.valueOf(value), vector(value));
+    }
+
+    private static String vector(double value) {
+        return "((_ to_fp 11 53) #x%016x)".formatted(Double.doubleToRawLongBits(value));
+    }
+
+    /** The same in two ways. */
+    private Drawn[] real() {
+        Drawn port = realRead();
+        Drawn other = random.nextInt(3) == 0 ? realRead() : realConstant();
+        return switch (random.nextInt(7)) {
+            case 0 -> calculated(port, "+", "fp.add", other, true);
+            case 1 -> calculated(port, "-", "fp.sub", other, false);
+            case 2 -> calculated(port, "*", "fp.mul", realConstant(), true);
+            case 3 -> calculated(port, "/", "fp.div", realConstant(), false);
+            case 4 -> twice(new Drawn("-" + port.model, "(fp.neg " + port.smt + ")"));
+            case 5 -> {
+                Drawn whole = read();
+                yield twice(
+                        new Drawn(
+                                "(double) " + whole.model,
+                                "((_ to_fp 11 53) RNE " + whole.smt + ")"));
+            }
+            default -> twice(port);
+        };
+    }
+
+    private static Drawn[] twice(Drawn drawn) {
+        return new Drawn[] {drawn, drawn};
+    }
+
+    private static Drawn[] calculated(
+            Drawn one, String sign, String function, Drawn two, boolean commutes) {
+        String smt = "(" + function + " RNE " + one.smt + " " + two.smt + ")";
+        Drawn drawn = new Drawn(one.model + " " + sign + " " + two.model, smt);
+        Drawn turned = new Drawn(two.model + " " + sign + " " + one.model, smt);
+        return new Drawn[] {drawn, commutes ? turned : drawn};
+    }
+
+    /** As Java cuts off: nothing beyond the ends of whole numbers. */
+    private static Drawn cut(Drawn port) {
+        String smt =
+                "(ite (fp.isNaN %1$s) %2$s (ite (fp.geq %1$s %3$s) %4$s (ite (fp.leq %1$s %5$s)"
+                        + " %6$s ((_ fp.to_sbv 32) RTZ %1$s))))";
+        return new Drawn(
+                "(int) " + port.model,
+                smt.formatted(
+                        port.smt,
+                        vector(0),
+                        vector(0x1p31),
+                        vector(Integer.MAX_VALUE),
+                        vector(-0x1p31),
+                        vector(Integer.MIN_VALUE)));
+    }
+
     private Drawn[] texts() {
         return random.nextBoolean()
-                ? both(new Drawn("t", "t"), "==", new Drawn("\"a\"", "1"), "==", "=")
+                ? both(
+                        new Drawn("t", "t"),
+                        "==",
+                        new Drawn("\"a\"", reals ? "#x01" : "1"),
+                        "==",
+                        "=")
                 : both(new Drawn("t", "t"), "==", new Drawn("u", "u"), "==", "=");
     }
 
     private Drawn[] number() {
+        if (reals) {
+            return real();
+        }
         Drawn drawn = random.nextInt(3) == 0 ? constant() : term();
         Drawn again =
                 drawn.model.contains(" + ")
@@ -247,7 +356,7 @@ public final class RandomQuestion {
             }
             """;
 
-    private static String text(String name, List<Row> rows) {
+    private String text(String name, List<Row> rows) {
         StringBuilder lines = new StringBuilder();
         for (Row row : rows) {
             lines.append("    s%d -> s%d [%s]".formatted(row.source, row.target, row.guard.model));
@@ -256,14 +365,14 @@ public final class RandomQuestion {
         return """
         component %s {
           port <<total>> in Integer p, <<total>> in Integer q, <<total>> in Double d,
-               <<total>> in Double e, <<total>> in String t, <<total>> in String u, out Integer o;
+               <<total>> in Double e, <<total>> in String t, <<total>> in String u, out %s o;
           <<completion = "ignore">> automaton {
             state s0, s1;
             initial s0;
         %s  }
         }
         """
-                .formatted(name, lines);
+                .formatted(name, reals ? "Double" : "Integer", lines);
     }
 
     /**
@@ -300,7 +409,7 @@ public final class RandomQuestion {
                         }
                     }
                     script.add("(push)(assert (and " + String.join(" ", all) + "))");
-                    script.add("(check-sat)(pop)");
+                    script.add((reals ? IN_BITS : "(check-sat)") + "(pop)");
                     next.put(questions++, List.of(row.target, targets));
                 }
             }
@@ -322,12 +431,14 @@ public final class RandomQuestion {
         return true;
     }
 
-    private static List<String> declarations() {
+    /** Texts are numbers; of these, too, Z3 has to know nothing but bits where reals are. */
+    private List<String> declarations() {
+        String text = reals ? " (_ BitVec 8))" : " Int)";
         List<String> lines = new ArrayList<>();
         INTEGERS.forEach(port -> lines.add("(declare-const " + port + " (_ BitVec 32))"));
         List.of("d", "e")
                 .forEach(p -> lines.add("(declare-const " + p + " (_ FloatingPoint 11 53))"));
-        List.of("t", "u").forEach(port -> lines.add("(declare-const " + port + " Int)"));
+        List.of("t", "u").forEach(port -> lines.add("(declare-const " + port + text));
         return lines;
     }
 

@@ -36,6 +36,8 @@ class ExploredQuestionTest {
         assertThat(ASKED.difference(question("1", "A refines B", "changed")))
                 .hasValue("other models: 'm/A.arc' has changed since");
         assertThat(ASKED.difference(new ExploredQuestion(ASKED.version(), ASKED.asked(), Map.of())))
-                .hasValue("other models: 'm/A.arc' has changed since");
+                .hasValue("other models: 'm/A.arc' is not among these any more");
+        assertThat(new ExploredQuestion(ASKED.version(), ASKED.asked(), Map.of()).difference(ASKED))
+                .hasValue("other models: 'm/A.arc' was not among them");
     }
 }

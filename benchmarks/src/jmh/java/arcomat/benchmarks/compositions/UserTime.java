@@ -10,11 +10,13 @@ import java.util.List;
  * difference to that.
  *
  * @param seconds in its own code and that of its libraries, of all its threads
+ * @param elapsed seconds by the clock, which other work and the disk make more
  * @param megabytes the most that was in memory at once
  * @param output what it printed
  */
-record UserTime(double seconds, long megabytes, String output) {
+record UserTime(double seconds, double elapsed, long megabytes, String output) {
     private static final double TICKS = 100;
+    private static final double NANOSECONDS = 1e9;
     private static final int USER = 11;
     private static final long PAUSE = 5;
 
@@ -25,6 +27,7 @@ record UserTime(double seconds, long megabytes, String output) {
      */
     static UserTime of(List<String> command) throws IOException, InterruptedException {
         Path output = Files.createTempFile("output", ".txt");
+        long begun = System.nanoTime();
         Process process =
                 new ProcessBuilder(command)
                         .redirectErrorStream(true)
@@ -38,12 +41,13 @@ record UserTime(double seconds, long megabytes, String output) {
             most = Math.max(most, megabytes(figures));
             Thread.sleep(PAUSE);
         }
+        double elapsed = (System.nanoTime() - begun) / NANOSECONDS;
         String text = Files.readString(output);
         Files.delete(output);
         if (process.waitFor() != 0) {
             throw new IllegalStateException(command + " failed: " + text);
         }
-        return new UserTime(seconds, most, text.strip());
+        return new UserTime(seconds, elapsed, most, text.strip());
     }
 
     private static double seconds(Path figures) {

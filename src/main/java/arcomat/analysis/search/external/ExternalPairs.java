@@ -398,11 +398,13 @@ public final class ExternalPairs implements PairStore {
         int words = layout.words();
         RecordSorter sorter = new RecordSorter(memory, words, words, capacity);
         for (Cursor pair = pairs.from(0); pair.next(); ) {
+            between.run();
             long[] key = key(pair);
             layout.clear(key, network.markField());
             sorter.add(key);
         }
         for (Cursor key = loose.all(); key.next(); ) {
+            between.run();
             sorter.add(key(key));
         }
         return distinct(sorter.sorted());
@@ -412,6 +414,7 @@ public final class ExternalPairs implements PairStore {
         int count = 0;
         long[] last = new long[0];
         while (sorted.next()) {
+            between.run();
             long[] key = key(sorted);
             if (!Arrays.equals(key, last)) {
                 count++;

@@ -62,7 +62,10 @@ public interface PairStore {
     /** The pairs that lead to the failure, a beginning first; empty where there is none. */
     List<long[]> path();
 
-    /** How many configurations have been met, whatever the set beside them. */
+    /**
+     * How many configurations have been met, whatever the set beside them. May be given up, as long
+     * steps are.
+     */
     int configurations(int sets);
 
     /** After the last step of a search. */

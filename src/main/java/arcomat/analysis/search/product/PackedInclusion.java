@@ -133,9 +133,10 @@ final class PackedInclusion {
         return pairs.size();
     }
 
-    /** How many configurations of the left side have been met. */
-    int lefts() {
-        return pairs.configurations(answers.sets());
+    /** How many configurations of the left side have been met; empty where that was given up. */
+    Optional<Integer> lefts() {
+        return Budget.within(
+                () -> Optional.of(pairs.configurations(answers.sets())), why -> Optional.empty());
     }
 
     /** Goes on in a layout for all that has been met. */

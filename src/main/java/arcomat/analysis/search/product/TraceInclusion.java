@@ -447,9 +447,12 @@ public final class TraceInclusion {
         return packed == null ? pairs.size() : packed.size();
     }
 
-    /** How many configurations of the left side were met so far. */
-    public int lefts() {
-        return packed == null ? product.left.size() : packed.lefts();
+    /**
+     * How many configurations of the left side were met so far; empty where counting them would
+     * take too long.
+     */
+    public Optional<Integer> lefts() {
+        return packed == null ? Optional.of(product.left.size()) : packed.lefts();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */

@@ -3,12 +3,13 @@ package arcomat.cli.command.proof;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.ComparisonCommand;
+import arcomat.cli.option.DiskOption;
 import arcomat.cli.option.DoubtedOption;
 import arcomat.cli.option.PageOption;
-import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.Disk;
 import arcomat.pipeline.analysis.ProveRefinement;
 import arcomat.pipeline.analysis.Prover;
 import arcomat.pipeline.check.CheckedAnswer;
@@ -68,15 +69,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
 
     @Mixin private DoubtedOption doubted = new DoubtedOption();
 
-    @Option(
-            names = "--disk",
-            paramLabel = "FOLDER",
-            description = {
-                "Keep what is explored in files there, not in memory; the same command goes on"
-                        + " where",
-                "it was ended."
-            })
-    private String disk;
+    @Mixin private DiskOption onDisk = new DiskOption();
 
     @Option(
             names = "--diagram",
@@ -99,7 +92,8 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
     protected Task<CheckedAnswer<List<Answered>>> task(Session session) throws WrongUse {
         Optional<String> proof = doubted.file(certificate);
         boolean plain = engine == Engine.arcomat && certificate == null && proof.isEmpty();
-        if (disk != null && (!plain || map != null)) {
+        Optional<Disk> disk = onDisk.disk();
+        if (disk.isPresent() && (!plain || map != null)) {
             throw new WrongUse(
                     "--disk is for the search of this tool, without maps and certificates; leave"
                             + " one of them out");
@@ -110,7 +104,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
                             + " them out");
         }
         report.prepare(session);
-        Prover prover = prover(proof);
+        Prover prover = prover(proof, disk);
         return new ProveRefinement(
                 sides(),
                 prover,
@@ -120,7 +114,7 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
                 limits());
     }
 
-    private Prover prover(Optional<String> proof) throws WrongUse {
+    private Prover prover(Optional<String> proof, Optional<Disk> disk) throws WrongUse {
         if (mona != null && engine != Engine.mona) {
             throw new WrongUse("--mona names a program, and only '--engine mona' asks it");
         }
@@ -133,8 +127,8 @@ public final class RefinesCommand extends ComparisonCommand<List<Answered>> {
         if (proof.isPresent()) {
             return new Prover.Verifier(proof.get());
         }
-        if (disk != null) {
-            return new Prover.EngineOnDisk(disk, Version.identity());
+        if (disk.isPresent()) {
+            return new Prover.EngineOnDisk(disk.get());
         }
         return certificate == null ? new Prover.Engine() : new Prover.CertifyingEngine(certificate);
     }

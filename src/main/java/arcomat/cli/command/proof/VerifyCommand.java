@@ -6,12 +6,14 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.CommandResults;
+import arcomat.cli.option.DiskOption;
 import arcomat.cli.option.DoubtedOption;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.Disk;
 import arcomat.pipeline.analysis.VerifyPromises;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckedAnswer;
@@ -39,6 +41,7 @@ import java.util.Optional;
         footer = {
             "  arcomat verify models/coffee",
             "  arcomat verify --timeout 60 --format json models > verdicts.json",
+            "  arcomat verify --disk explored models    goes on where it was ended",
             "  arcomat verify --report junit=build/verify.xml --report sarif=build/verify.sarif"
                     + " models",
             "",
@@ -54,6 +57,8 @@ public final class VerifyCommand extends LimitedCommand {
 
     @Mixin private DoubtedOption doubted = new DoubtedOption();
 
+    @Mixin private DiskOption onDisk = new DiskOption();
+
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
@@ -62,11 +67,16 @@ public final class VerifyCommand extends LimitedCommand {
     @Override
     protected int run(Session session) throws WrongUse {
         Optional<String> proofs = doubted.file(certificate);
+        Optional<Disk> disk = onDisk.disk();
+        if (disk.isPresent() && (certificate != null || proofs.isPresent())) {
+            throw new WrongUse(
+                    "--disk is for a search without certificates; leave one of them out");
+        }
         reports.prepare(session);
         CheckedAnswer<List<Answered>> reply =
                 session.run(
                         new VerifyPromises(
-                                paths, Optional.ofNullable(certificate), proofs, limits()));
+                                paths, Optional.ofNullable(certificate), proofs, disk, limits()));
         tellAside(reply.check());
         if (reply.value().isEmpty()) {
             CheckRendering findings =
