@@ -1,5 +1,6 @@
 package arcomat.benchmarks.compositions;
 
+import arcomat.benchmarks.measure.ClassArchive;
 import arcomat.benchmarks.measure.Command;
 import arcomat.benchmarks.measure.Goal;
 import arcomat.benchmarks.measure.Group;
@@ -14,7 +15,8 @@ import java.util.Map;
 /**
  * Compositions of growing size, each in a process of its own, beside Spin's compiled verifier for
  * the same system where Spin is installed. User time, since a process that waits is not to blame
- * for it; that of ours includes all of Java's start and its compiler.
+ * for it; that of ours includes all of Java's start and its compiler. It starts as the installed
+ * tool does, with an archive of its classes.
  */
 public final class CompositionsGroup implements Group {
     /** {@code -Dsystems="shift 16,shift 20"} asks about others. */
@@ -33,6 +35,7 @@ public final class CompositionsGroup implements Group {
                     "tokens 12",
                     "tokens 40");
 
+    private static final String SMALL = "philosophers 6";
     private static final String TOGETHER = " with both engines";
     private static final String LARGEST = "philosophers 12";
     private static final double SECONDS = 10;
@@ -79,11 +82,12 @@ public final class CompositionsGroup implements Group {
     public Map<String, Measurement> measure() throws IOException {
         Map<String, Measurement> results = new LinkedHashMap<>();
         try {
+            ClassArchive classes = ClassArchive.leftBy(command(system(SMALL), List.of()));
             for (ComposedSystem system : systems) {
-                measure(system, results);
+                measure(system, classes, results);
             }
             for (String label : SYMBOLIC) {
-                UserTime time = UserTime.of(command(system(label), List.of()));
+                UserTime time = UserTime.of(classes.used(command(system(label), List.of())));
                 requireHolds(label, time);
                 add(results, label + TOGETHER, time);
             }
@@ -93,9 +97,11 @@ public final class CompositionsGroup implements Group {
         return results;
     }
 
-    private void measure(ComposedSystem system, Map<String, Measurement> results)
+    private void measure(
+            ComposedSystem system, ClassArchive classes, Map<String, Measurement> results)
             throws IOException, InterruptedException {
-        UserTime ours = UserTime.of(command(system, List.of(AskedComposition.EXPLICIT)));
+        UserTime ours =
+                UserTime.of(classes.used(command(system, List.of(AskedComposition.EXPLICIT))));
         requireHolds(system.label(), ours);
         long configurations = Long.parseLong(ours.output().split(" ")[1]);
         if (configurations >= LARGE) {
