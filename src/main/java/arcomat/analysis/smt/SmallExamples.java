@@ -81,7 +81,7 @@ record SmallExamples(List<Port> ports, List<DataFact> facts) {
                     : DoubleStream.of(number, Math.nextUp(number), Math.nextDown(number));
         }
         return value instanceof Value.IntegerValue whole
-                ? DoubleStream.of(whole.value())
+                ? DoubleStream.of((double) whole.value())
                 : DoubleStream.empty();
     }
 
