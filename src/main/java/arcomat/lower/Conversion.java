@@ -32,7 +32,7 @@ final class Conversion {
     static Value convert(Value value, Type target) {
         if (target instanceof Type.RealType real) {
             double number = real(value);
-            return new Value.RealValue(real.single() ? (float) number : number);
+            return new Value.RealValue(real.rounded(number));
         }
         if (target instanceof Type.CharacterType) {
             return new Value.CharacterValue((char) whole(value, Type.Width.INT));

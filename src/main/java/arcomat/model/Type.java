@@ -155,7 +155,22 @@ public sealed interface Type {
         @Override
         public boolean has(Value value) {
             return value instanceof Value.RealValue number
-                    && (!single || Double.compare((float) number.value(), number.value()) == 0);
+                    && Double.compare(rounded(number.value()), number.value()) == 0;
+        }
+
+        /** The number of this type that is nearest to another one. */
+        public double rounded(double number) {
+            return single ? (float) number : number;
+        }
+
+        /** The next larger one. */
+        public double above(double number) {
+            return single ? Math.nextUp((float) number) : Math.nextUp(number);
+        }
+
+        /** The next smaller one. */
+        public double below(double number) {
+            return single ? Math.nextDown((float) number) : Math.nextDown(number);
         }
     }
 

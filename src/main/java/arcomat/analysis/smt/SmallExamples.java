@@ -61,24 +61,19 @@ record SmallExamples(List<Port> ports, List<DataFact> facts) {
 
     /** Where rounding begins, too: next to what is mentioned, and at the ends of all numbers. */
     private Stream<Value> reals(Type.RealType type) {
-        double least = type.single() ? Float.MIN_VALUE : Double.MIN_VALUE;
-        double most = type.single() ? Float.MAX_VALUE : Double.MAX_VALUE;
-        DoubleStream all = DoubleStream.of(1, least, Double.POSITIVE_INFINITY, most);
-        DoubleStream mentioned =
-                mentioned().stream().flatMapToDouble(value -> beside(value, type.single()));
+        double end = Double.POSITIVE_INFINITY;
+        DoubleStream all = DoubleStream.of(1, type.above(0), end, type.below(end));
+        DoubleStream mentioned = mentioned().stream().flatMapToDouble(value -> beside(value, type));
         return DoubleStream.concat(
                         DoubleStream.concat(mentioned, all).flatMap(d -> DoubleStream.of(d, -d)),
                         DoubleStream.of(Double.NaN, -0.0))
                 .mapToObj(Value.RealValue::new);
     }
 
-    private static DoubleStream beside(Value value, boolean single) {
+    private static DoubleStream beside(Value value, Type.RealType type) {
         if (value instanceof Value.RealValue real) {
             double number = real.value();
-            return single
-                    ? DoubleStream.of(
-                            number, Math.nextUp((float) number), Math.nextDown((float) number))
-                    : DoubleStream.of(number, Math.nextUp(number), Math.nextDown(number));
+            return DoubleStream.of(number, type.above(number), type.below(number));
         }
         return value instanceof Value.IntegerValue whole
                 ? DoubleStream.of((double) whole.value())

@@ -39,7 +39,7 @@ public final class WrittenValue implements Type.Cases<Optional<Value>> {
     @Override
     public Optional<Value> realType(Type.RealType type) {
         double number = Double.parseDouble(text);
-        return Optional.of(new Value.RealValue(type.single() ? (float) number : number));
+        return Optional.of(new Value.RealValue(type.rounded(number)));
     }
 
     @Override

@@ -116,7 +116,7 @@ final class Arithmetic {
         }
         if (target instanceof Type.RealType real) {
             if (value instanceof Value.RealValue from) {
-                return new Value.RealValue(real.single() ? (float) from.value() : from.value());
+                return new Value.RealValue(real.rounded(from.value()));
             }
             long whole = value.whole();
             return new Value.RealValue(real.single() ? (float) whole : (double) whole);

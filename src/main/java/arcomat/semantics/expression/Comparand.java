@@ -64,7 +64,7 @@ final class Comparand {
     static List<Value> in(Type type, Value value) {
         if (type instanceof Type.RealType real) {
             double number = Arithmetic.real(value);
-            double rounded = real.single() ? (float) number : number;
+            double rounded = real.rounded(number);
             // There is only one zero: -0.0 equals 0.0.
             return Double.isNaN(rounded) ? List.of() : List.of(new Value.RealValue(rounded + 0.0));
         }

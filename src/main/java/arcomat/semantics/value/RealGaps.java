@@ -11,7 +11,7 @@ import java.util.List;
  * be another one. What is infinite is the last resort.
  */
 final class RealGaps {
-    private final boolean single;
+    private final Type.RealType type;
     private final double[] numbers;
     private final List<Value> samples = new ArrayList<>();
 
@@ -19,7 +19,7 @@ final class RealGaps {
      * @param values of the type, in their natural order, without NaN; at least one
      */
     RealGaps(Type.RealType type, List<Value> values) {
-        single = type.single();
+        this.type = type;
         numbers = values.stream().mapToDouble(value -> ((Value.RealValue) value).value()).toArray();
     }
 
@@ -27,39 +27,30 @@ final class RealGaps {
     List<Value> samples() {
         int last = numbers.length - 1;
         if (numbers[0] > Double.NEGATIVE_INFINITY) {
-            double wanted = rounded(numbers[0] - 1);
-            add(Double.isFinite(wanted) && wanted < numbers[0] ? wanted : below(numbers[0]));
+            double wanted = type.rounded(numbers[0] - 1);
+            add(Double.isFinite(wanted) && wanted < numbers[0] ? wanted : type.below(numbers[0]));
         }
         for (int i = 0; i < last; i++) {
             addBetween(numbers[i], numbers[i + 1]);
         }
         if (numbers[last] < Double.POSITIVE_INFINITY) {
-            double wanted = rounded(numbers[last] + 1);
-            add(Double.isFinite(wanted) && wanted > numbers[last] ? wanted : above(numbers[last]));
+            double wanted = type.rounded(numbers[last] + 1);
+            add(
+                    Double.isFinite(wanted) && wanted > numbers[last]
+                            ? wanted
+                            : type.above(numbers[last]));
         }
         return samples;
     }
 
     /** The middle or else, if that is not between them, the next number that is. */
     private void addBetween(double low, double high) {
-        double middle = rounded(low / 2 + high / 2);
+        double middle = type.rounded(low / 2 + high / 2);
         if (low < middle && middle < high) {
             add(middle);
-        } else if (above(low) < high) {
-            add(above(low));
+        } else if (type.above(low) < high) {
+            add(type.above(low));
         }
-    }
-
-    private double rounded(double number) {
-        return single ? (float) number : number;
-    }
-
-    private double above(double number) {
-        return single ? Math.nextUp((float) number) : Math.nextUp(number);
-    }
-
-    private double below(double number) {
-        return single ? Math.nextDown((float) number) : Math.nextDown(number);
     }
 
     private void add(double number) {

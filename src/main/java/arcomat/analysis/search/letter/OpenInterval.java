@@ -116,19 +116,19 @@ record OpenInterval(Type type, @Nullable Value low, @Nullable Value high) {
 
     /** One more, or else the next one. */
     private static double above(Type.RealType type, double number, double end) {
-        double wanted = type.single() ? (float) (number + 1) : number + 1;
+        double wanted = type.rounded(number + 1);
         if (number < wanted && wanted < end) {
             return wanted;
         }
-        return type.single() ? Math.nextUp((float) number) : Math.nextUp(number);
+        return type.above(number);
     }
 
     private static double below(Type.RealType type, double number) {
         double start = Double.isInfinite(number) ? 0 : number;
-        double wanted = type.single() ? (float) (start - 1) : start - 1;
+        double wanted = type.rounded(start - 1);
         if (wanted < number) {
             return wanted;
         }
-        return type.single() ? Math.nextDown((float) number) : Math.nextDown(number);
+        return type.below(number);
     }
 }
