@@ -18,11 +18,6 @@ public final class ColdGroup implements Group {
     }
 
     @Override
-    public List<String> prepare() {
-        return List.of();
-    }
-
-    @Override
     public List<Goal> goals() {
         return List.of(
                 Goal.promise(

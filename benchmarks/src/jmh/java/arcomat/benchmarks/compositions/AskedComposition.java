@@ -6,6 +6,7 @@ import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.packed.PairStore;
+import arcomat.benchmarks.measure.Command;
 import arcomat.benchmarks.measure.LoweredSources;
 import arcomat.model.Component;
 import arcomat.pipeline.PathNames;
@@ -15,6 +16,7 @@ import arcomat.pipeline.explored.ExploredSearches;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -30,6 +32,31 @@ public final class AskedComposition {
     static final String DISK = "disk";
 
     private AskedComposition() {}
+
+    /**
+     * Asks in a process of its own.
+     *
+     * @param heap the most that it may take, {@code 6g}
+     * @param more behind the system
+     */
+    static List<String> command(String heap, ComposedSystem system, List<String> more) {
+        List<String> arguments =
+                new ArrayList<>(List.of(system.name(), String.valueOf(system.size())));
+        arguments.addAll(more);
+        return Command.java(heap, AskedComposition.class, arguments);
+    }
+
+    /**
+     * How many configurations such a process has told of.
+     *
+     * @throws IllegalStateException if what is asked does not hold there
+     */
+    static long configurations(ComposedSystem system, UserTime time) {
+        if (!time.output().startsWith("HOLDS ")) {
+            throw new IllegalStateException(system.label() + ": " + time.output());
+        }
+        return Long.parseLong(time.output().split(" ")[1]);
+    }
 
     /** Prints the answer, and how many configurations of the system there are. */
     public static void main(String[] arguments) throws IOException, WrongUse {

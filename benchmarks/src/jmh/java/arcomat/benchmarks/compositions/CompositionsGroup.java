@@ -1,7 +1,6 @@
 package arcomat.benchmarks.compositions;
 
 import arcomat.benchmarks.measure.ClassArchive;
-import arcomat.benchmarks.measure.Command;
 import arcomat.benchmarks.measure.Goal;
 import arcomat.benchmarks.measure.Group;
 import arcomat.benchmarks.measure.Measurement;
@@ -69,11 +68,6 @@ public final class CompositionsGroup implements Group {
     }
 
     @Override
-    public List<Class<?>> benchmarks() {
-        return List.of();
-    }
-
-    @Override
     public List<String> prepare() {
         return spin ? List.of() : List.of("spin or gcc is not installed: nothing is compared");
     }
@@ -87,8 +81,9 @@ public final class CompositionsGroup implements Group {
                 measure(system, classes, results);
             }
             for (String label : SYMBOLIC) {
-                UserTime time = UserTime.of(classes.used(command(system(label), List.of())));
-                requireHolds(label, time);
+                ComposedSystem system = system(label);
+                UserTime time = UserTime.of(classes.used(command(system, List.of())));
+                AskedComposition.configurations(system, time);
                 add(results, label + TOGETHER, time);
             }
         } catch (InterruptedException e) {
@@ -102,42 +97,29 @@ public final class CompositionsGroup implements Group {
             throws IOException, InterruptedException {
         UserTime ours =
                 UserTime.of(classes.used(command(system, List.of(AskedComposition.EXPLICIT))));
-        requireHolds(system.label(), ours);
-        long configurations = Long.parseLong(ours.output().split(" ")[1]);
+        long configurations = AskedComposition.configurations(system, ours);
         if (configurations >= LARGE) {
             large.add(system.label());
         }
         add(results, system.label(), ours);
-        put(results, system.label() + " configurations", configurations, "");
-        put(results, system.label() + " a second", configurations / ours.seconds(), "/s");
+        Measurement.put(results, system.label() + " configurations", configurations, "");
+        Measurement.put(
+                results, system.label() + " a second", configurations / ours.seconds(), "/s");
         if (spin) {
             UserTime theirs = SpinVerifier.run(system);
             add(results, system.label() + SPIN, theirs);
-            put(results, system.label() + SPIN + " states", SpinVerifier.stored(theirs), "");
-        }
-    }
-
-    private static void requireHolds(String label, UserTime time) {
-        if (!time.output().startsWith("HOLDS ")) {
-            throw new IllegalStateException(label + ": " + time.output());
+            Measurement.put(
+                    results, system.label() + SPIN + " states", SpinVerifier.stored(theirs), "");
         }
     }
 
     private static void add(Map<String, Measurement> results, String label, UserTime time) {
-        put(results, label, time.seconds(), "s");
-        put(results, label + MEMORY, time.megabytes(), "MB");
-    }
-
-    private static void put(
-            Map<String, Measurement> results, String label, double value, String unit) {
-        results.put(label, Measurement.of(label, List.of(value), unit));
+        Measurement.put(results, label, time.seconds(), "s");
+        Measurement.put(results, label + MEMORY, time.megabytes(), "MB");
     }
 
     private static List<String> command(ComposedSystem system, List<String> more) {
-        List<String> arguments =
-                new ArrayList<>(List.of(system.name(), String.valueOf(system.size())));
-        arguments.addAll(more);
-        return Command.java("6g", AskedComposition.class, arguments);
+        return AskedComposition.command("6g", system, more);
     }
 
     @Override

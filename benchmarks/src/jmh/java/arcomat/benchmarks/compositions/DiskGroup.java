@@ -1,6 +1,5 @@
 package arcomat.benchmarks.compositions;
 
-import arcomat.benchmarks.measure.Command;
 import arcomat.benchmarks.measure.Folders;
 import arcomat.benchmarks.measure.Goal;
 import arcomat.benchmarks.measure.Group;
@@ -32,21 +31,11 @@ public final class DiskGroup implements Group {
     }
 
     @Override
-    public List<Class<?>> benchmarks() {
-        return List.of();
-    }
-
-    @Override
-    public List<String> prepare() {
-        return List.of();
-    }
-
-    @Override
     public Map<String, Measurement> measure() throws IOException {
         Map<String, Measurement> results = new LinkedHashMap<>();
         try {
             for (int size : SIZES) {
-                measure(size, results);
+                measure(ComposedSystems.of("shift", size), results);
             }
         } catch (InterruptedException e) {
             throw new IOException(e);
@@ -54,53 +43,42 @@ public final class DiskGroup implements Group {
         return results;
     }
 
-    private static void measure(int size, Map<String, Measurement> results)
+    private static void measure(ComposedSystem system, Map<String, Measurement> results)
             throws IOException, InterruptedException {
-        String label = "shift " + size;
-        UserTime inMemory = UserTime.of(command(HEAP, size, List.of()));
-        long pairs = pairs(label, inMemory);
-        put(results, label + " pairs", pairs, "");
+        String label = system.label();
+        UserTime inMemory = UserTime.of(command(HEAP, system, List.of()));
+        long pairs = AskedComposition.configurations(system, inMemory);
+        Measurement.put(results, label + " pairs", pairs, "");
         add(results, label + " in memory", inMemory, pairs);
-        put(results, label + " in memory, bytes a pair", inMemory.megabytes() * BYTES / pairs, "B");
+        double inProcess = inMemory.megabytes() * BYTES / pairs;
+        Measurement.put(results, label + " in memory, bytes a pair", inProcess, "B");
         Path folder = Files.createTempDirectory("explored");
         try {
             List<String> more = List.of(AskedComposition.DISK, folder.toString());
-            UserTime onDisk = UserTime.of(command(SMALL_HEAP, size, more));
-            if (pairs(label, onDisk) != pairs) {
+            UserTime onDisk = UserTime.of(command(SMALL_HEAP, system, more));
+            if (AskedComposition.configurations(system, onDisk) != pairs) {
                 throw new IllegalStateException(label + ": " + onDisk.output());
             }
             add(results, label + " on disk", onDisk, pairs);
-            put(results, label + " on disk, bytes a pair", (double) bytes(folder) / pairs, "B");
+            double inFiles = (double) bytes(folder) / pairs;
+            Measurement.put(results, label + " on disk, bytes a pair", inFiles, "B");
         } finally {
             Folders.delete(folder);
         }
     }
 
-    private static List<String> command(String heap, int size, List<String> more) {
-        List<String> arguments =
-                new ArrayList<>(List.of("shift", String.valueOf(size), AskedComposition.EXPLICIT));
-        arguments.addAll(more);
-        return Command.java(heap, AskedComposition.class, arguments);
-    }
-
-    private static long pairs(String label, UserTime time) {
-        if (!time.output().startsWith("HOLDS ")) {
-            throw new IllegalStateException(label + ": " + time.output());
-        }
-        return Long.parseLong(time.output().split(" ")[1]);
+    private static List<String> command(String heap, ComposedSystem system, List<String> more) {
+        List<String> all = new ArrayList<>(List.of(AskedComposition.EXPLICIT));
+        all.addAll(more);
+        return AskedComposition.command(heap, system, all);
     }
 
     private static void add(
             Map<String, Measurement> results, String label, UserTime time, long pairs) {
-        put(results, label, time.seconds(), "s");
-        put(results, label + ", pairs a second", pairs / time.seconds(), "/s");
-        put(results, label + ", a second by the clock", pairs / time.elapsed(), "/s");
-        put(results, label + ", memory", time.megabytes(), "MB");
-    }
-
-    private static void put(
-            Map<String, Measurement> results, String label, double value, String unit) {
-        results.put(label, Measurement.of(label, List.of(value), unit));
+        Measurement.put(results, label, time.seconds(), "s");
+        Measurement.put(results, label + ", pairs a second", pairs / time.seconds(), "/s");
+        Measurement.put(results, label + ", a second by the clock", pairs / time.elapsed(), "/s");
+        Measurement.put(results, label + ", memory", time.megabytes(), "MB");
     }
 
     private static long bytes(Path folder) throws IOException {

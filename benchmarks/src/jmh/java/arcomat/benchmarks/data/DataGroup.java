@@ -50,11 +50,6 @@ public final class DataGroup implements Group {
     }
 
     @Override
-    public List<Class<?>> benchmarks() {
-        return List.of();
-    }
-
-    @Override
     public List<String> prepare() {
         return solvers.isEmpty() ? List.of("neither z3 nor cvc5 is installed") : List.of();
     }

@@ -16,16 +16,6 @@ public final class EditorGroup implements Group {
     }
 
     @Override
-    public List<Class<?>> benchmarks() {
-        return List.of();
-    }
-
-    @Override
-    public List<String> prepare() {
-        return List.of();
-    }
-
-    @Override
     public Map<String, Measurement> measure() throws IOException {
         return Latencies.measure();
     }

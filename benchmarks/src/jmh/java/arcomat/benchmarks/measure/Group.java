@@ -9,7 +9,9 @@ public interface Group {
     String name();
 
     /** The classes with the benchmarks; none for a group that takes the time itself. */
-    List<Class<?>> benchmarks();
+    default List<Class<?>> benchmarks() {
+        return List.of();
+    }
 
     /**
      * Runs before time is taken.
@@ -17,7 +19,9 @@ public interface Group {
      * @return what was found out, for the report
      * @throws IllegalStateException if contestants do not do the same
      */
-    List<String> prepare();
+    default List<String> prepare() {
+        return List.of();
+    }
 
     /** What a group without benchmark classes measured, by label. */
     default Map<String, Measurement> measure() throws IOException {

@@ -41,6 +41,12 @@ public record Measurement(String label, double median, double low, double high, 
         return of(label, statistics, unit);
     }
 
+    /** Adds what was taken once. */
+    public static void put(
+            Map<String, Measurement> results, String label, double value, String unit) {
+        results.put(label, of(label, List.of(value), unit));
+    }
+
     private static Measurement of(String label, Statistics statistics, String unit) {
         return new Measurement(
                 label,

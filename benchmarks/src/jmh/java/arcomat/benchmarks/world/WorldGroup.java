@@ -50,11 +50,6 @@ public final class WorldGroup implements Group {
 
     /** A run hands over between threads; it is timed as a whole. */
     @Override
-    public List<Class<?>> benchmarks() {
-        return List.of();
-    }
-
-    @Override
     public List<String> prepare() {
         try {
             world = Session.in(Path.of(""), Progress.NONE).run(new PrepareWorld(WORLD, false));
