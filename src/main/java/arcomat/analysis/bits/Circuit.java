@@ -155,6 +155,17 @@ final class Circuit {
         return bits;
     }
 
+    /**
+     * Some bits among zeros; those that do not fit are gone.
+     *
+     * @param at position of the first one
+     */
+    int[] placed(int[] bits, int at, int width) {
+        int[] placed = constant(0, width);
+        System.arraycopy(bits, 0, placed, at, Math.min(bits.length, width - at));
+        return placed;
+    }
+
     int[] complement(int[] number) {
         return Arrays.stream(number).map(bit -> -bit).toArray();
     }
@@ -253,14 +264,12 @@ final class Circuit {
     /** As on paper, bit by bit. The rest has one bit more on the way. */
     private Division withoutSign(int[] dividend, int[] divisor) {
         int width = dividend.length;
-        int[] wide = Arrays.copyOf(divisor, width + 1);
-        wide[width] = of(false);
+        int[] wide = placed(divisor, 0, width + 1);
         int[] quotient = new int[width];
         int[] rest = constant(0, width + 1);
         for (int i = width - 1; i >= 0; i--) {
-            int[] next = new int[width + 1];
+            int[] next = placed(rest, 1, width + 1);
             next[0] = dividend[i];
-            System.arraycopy(rest, 0, next, 1, width);
             quotient[i] = -isBelow(next, wide);
             rest = choose(quotient[i], difference(next, wide), next);
         }

@@ -64,10 +64,18 @@ final class FloatingPoint {
         return circuit.constant(format.notANumber(), format.width());
     }
 
+    private int[] signed(int sign, long size) {
+        int[] number = circuit.constant(size, format.width());
+        number[format.width() - 1] = sign;
+        return number;
+    }
+
     private int[] infinity(int sign) {
-        int[] infinity = circuit.constant(format.infinity(), format.width());
-        infinity[format.width() - 1] = sign;
-        return infinity;
+        return signed(sign, format.infinity());
+    }
+
+    private int[] zero(int sign) {
+        return signed(sign, 0);
     }
 
     /** Its size, a pattern without a sign: larger numbers have larger ones. */
@@ -119,8 +127,8 @@ final class FloatingPoint {
         int normal = hasExponent(number);
         int[] significand = Arrays.copyOf(number, fraction + 1);
         significand[fraction] = normal;
-        int[] exponent = circuit.constant(0, Rounding.EXPONENT);
-        System.arraycopy(number, fraction, exponent, 0, format.exponentWidth());
+        int[] field = Arrays.copyOfRange(number, fraction, format.width() - 1);
+        int[] exponent = circuit.placed(field, 0, Rounding.EXPONENT);
         exponent[0] = circuit.or(exponent[0], -normal);
         return new Scaled(exponent, significand);
     }
@@ -167,9 +175,7 @@ final class FloatingPoint {
 
     /** Spare bits at the end, and one for the carry. */
     private int[] withSpace(int[] significand) {
-        int[] wide = circuit.constant(0, SPARE + significand.length + 1);
-        System.arraycopy(significand, 0, wide, SPARE, significand.length);
-        return wide;
+        return circuit.placed(significand, SPARE, SPARE + significand.length + 1);
     }
 
     private int[] special(int isNoNumber, int isInfinite, int sign, int[] finite) {
@@ -195,9 +201,7 @@ final class FloatingPoint {
 
     /** In twice as many bits. */
     private int[] twice(int[] significand) {
-        int[] wide = circuit.constant(0, 2 * significand.length);
-        System.arraycopy(significand, 0, wide, 0, significand.length);
-        return wide;
+        return circuit.placed(significand, 0, 2 * significand.length);
     }
 
     /** To divide by a power of two is to multiply by another one: both are rounded alike. */
@@ -228,12 +232,6 @@ final class FloatingPoint {
         return special(none, circuit.or(isInfinite(a), isZero(b)), sign, finite);
     }
 
-    private int[] zero(int sign) {
-        int[] zero = circuit.constant(0, format.width());
-        zero[format.width() - 1] = sign;
-        return zero;
-    }
-
     /** As on paper, bit by bit; whether a rest is left stands in the last bit. */
     private int[] finiteQuotient(int[] a, int[] b, int sign) {
         Scaled dividend = Rounding.normalized(scaled(a), circuit);
@@ -244,8 +242,7 @@ final class FloatingPoint {
         for (int i = quotient.length - 1; i > 0; i--) {
             quotient[i] = -circuit.isBelow(rest, by);
             int[] left = circuit.choose(quotient[i], circuit.difference(rest, by), rest);
-            rest = circuit.constant(0, left.length);
-            System.arraycopy(left, 0, rest, 1, left.length - 1);
+            rest = circuit.placed(left, 1, left.length);
         }
         quotient[0] = circuit.any(rest, 0, rest.length);
         int[] exponent = circuit.difference(dividend.exponent(), divisor.exponent());
@@ -254,9 +251,7 @@ final class FloatingPoint {
     }
 
     private int[] longer(int[] significand) {
-        int[] wide = Arrays.copyOf(significand, significand.length + 1);
-        wide[significand.length] = circuit.of(false);
-        return wide;
+        return circuit.placed(significand, 0, significand.length + 1);
     }
 
     /** The number that is nearest to one of another format. */
@@ -271,8 +266,7 @@ final class FloatingPoint {
     /** With zeros behind, so that it can be rounded. */
     private Scaled atLeast(int[] exponent, int[] significand) {
         int width = Math.max(significand.length, format.fractionWidth() + SPARE);
-        int[] wide = circuit.constant(0, width);
-        System.arraycopy(significand, 0, wide, width - significand.length, significand.length);
+        int[] wide = circuit.placed(significand, width - significand.length, width);
         return new Scaled(exponent, wide);
     }
 
@@ -290,11 +284,9 @@ final class FloatingPoint {
     int[] toWhole(int[] number, int width) {
         Scaled scaled = scaled(number);
         int[] power = circuit.difference(scaled.exponent(), exponent(format.bias()));
-        int[] shifted = circuit.constant(0, format.fractionWidth() + width);
-        System.arraycopy(scaled.significand(), 0, shifted, 0, format.fractionWidth() + 1);
+        int[] shifted = circuit.placed(scaled.significand(), 0, format.fractionWidth() + width);
         for (int stage = 0; 1 << stage < width; stage++) {
-            int[] farther = circuit.constant(0, shifted.length);
-            System.arraycopy(shifted, 0, farther, 1 << stage, shifted.length - (1 << stage));
+            int[] farther = circuit.placed(shifted, 1 << stage, shifted.length);
             shifted = circuit.choose(power[stage], farther, shifted);
         }
         int[] size = Arrays.copyOfRange(shifted, format.fractionWidth(), shifted.length);

@@ -5,12 +5,14 @@ import arcomat.model.Type;
 /**
  * Numbers of floating point as IEEE 754 lays them out: from the last bit on a fraction, an exponent
  * and a sign. What is no number has one pattern, since models have one such message.
+ *
+ * @param single whether they have 32 bits
  */
-record RealFormat(int exponentWidth, int fractionWidth, boolean single) {
+public record RealFormat(int exponentWidth, int fractionWidth, boolean single) {
     private static final RealFormat DOUBLE = new RealFormat(11, 52, false);
     private static final RealFormat SINGLE = new RealFormat(8, 23, true);
 
-    static RealFormat of(Type.RealType type) {
+    public static RealFormat of(Type.RealType type) {
         return type.single() ? SINGLE : DOUBLE;
     }
 
@@ -28,7 +30,7 @@ record RealFormat(int exponentWidth, int fractionWidth, boolean single) {
         return (1 << exponentWidth) - 1;
     }
 
-    long infinity() {
+    public long infinity() {
         return (long) beyond() << fractionWidth;
     }
 
@@ -48,5 +50,20 @@ record RealFormat(int exponentWidth, int fractionWidth, boolean single) {
 
     double real(long code) {
         return single ? Float.intBitsToFloat((int) code) : Double.longBitsToDouble(code);
+    }
+
+    /**
+     * Where a number stands among all of them, which are as many: the positive ones by their
+     * patterns, the negative ones as the opposite; there is one 0.
+     */
+    public long place(double number) {
+        long size = code(Math.abs(number));
+        return number < 0 ? -size : size;
+    }
+
+    /** The number at a place. */
+    public double atPlace(long place) {
+        double size = real(Math.abs(place));
+        return place < 0 ? -size : size;
     }
 }

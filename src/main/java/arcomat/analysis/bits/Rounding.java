@@ -31,7 +31,7 @@ final class Rounding {
         for (int stage = stages(left.length - 1) - 1; stage >= 0; stage--) {
             int far = 1 << stage;
             int empty = -circuit.any(left, left.length - far, left.length);
-            left = circuit.choose(empty, shiftedLeft(left, far, circuit), left);
+            left = circuit.choose(empty, circuit.placed(left, far, left.length), left);
             distance[stage] = empty;
         }
         return new Scaled(circuit.difference(number.exponent, distance), left);
@@ -40,12 +40,6 @@ final class Rounding {
     /** So many bits has a number. */
     private static int stages(int number) {
         return Integer.SIZE - Integer.numberOfLeadingZeros(number);
-    }
-
-    private static int[] shiftedLeft(int[] bits, int far, Circuit circuit) {
-        int[] shifted = circuit.constant(0, bits.length);
-        System.arraycopy(bits, 0, shifted, far, bits.length - far);
-        return shifted;
     }
 
     /**

@@ -187,11 +187,9 @@ public final class Thresholds {
         }
 
         Value value(long number) {
-            if (type instanceof Type.RealType real) {
-                double size = RealFormat.of(real).real(Math.abs(number));
-                return new Value.RealValue(number < 0 ? -size : size);
-            }
-            return new Value.IntegerValue(number);
+            return type instanceof Type.RealType real
+                    ? new Value.RealValue(RealFormat.of(real).atPlace(number))
+                    : new Value.IntegerValue(number);
         }
 
         boolean satisfies(Term condition, long number) {

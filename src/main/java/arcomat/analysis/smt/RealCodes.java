@@ -1,37 +1,30 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.bits.RealFormat;
 import arcomat.model.Type;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
 /**
- * The numbers of IEEE 754 as integers in the same order: the positive ones by their bits, the
- * negative ones as the opposite. Beyond the infinities stand what is no number, and the negative
- * zero, which is another message than zero, and compared like it.
- *
- * @param infinity its code
- * @param single whether they have 32 bits
+ * The numbers of IEEE 754 as integers in the same order: their {@linkplain RealFormat#place
+ * places}. Beyond the infinities stand what is no number, and the negative zero, which is another
+ * message than zero, and compared like it.
  */
-record RealCodes(long infinity, boolean single) {
-    private static final RealCodes DOUBLES =
-            new RealCodes(Double.doubleToRawLongBits(Double.POSITIVE_INFINITY), false);
-    private static final RealCodes FLOATS =
-            new RealCodes(Float.floatToRawIntBits(Float.POSITIVE_INFINITY), true);
-
+record RealCodes(RealFormat format) {
     static RealCodes of(Type.RealType type) {
-        return type.single() ? FLOATS : DOUBLES;
+        return new RealCodes(RealFormat.of(type));
     }
 
     private long notANumber() {
-        return infinity + 1;
+        return format.infinity() + 1;
     }
 
     private long negativeZero() {
-        return infinity + 2;
+        return format.infinity() + 2;
     }
 
     long least() {
-        return -infinity;
+        return -format.infinity();
     }
 
     long most() {
@@ -43,13 +36,7 @@ record RealCodes(long infinity, boolean single) {
         if (Double.isNaN(number)) {
             return notANumber();
         }
-        if (number == 0) {
-            return 1 / number < 0 ? negativeZero() : 0;
-        }
-        double size = Math.abs(number);
-        long bits =
-                single ? Float.floatToRawIntBits((float) size) : Double.doubleToRawLongBits(size);
-        return number < 0 ? -bits : bits;
+        return number == 0 && 1 / number < 0 ? negativeZero() : format.place(number);
     }
 
     /** The number that has a code. */
@@ -57,12 +44,7 @@ record RealCodes(long infinity, boolean single) {
         if (code == notANumber()) {
             return Double.NaN;
         }
-        if (code == negativeZero()) {
-            return -0.0;
-        }
-        long bits = Math.abs(code);
-        double size = single ? Float.intBitsToFloat((int) bits) : Double.longBitsToDouble(bits);
-        return code < 0 ? -size : size;
+        return code == negativeZero() ? -0.0 : format.atPlace(code);
     }
 
     /** A comparison, by the sign that models and SMT-LIB write: all but a number is unequal. */
