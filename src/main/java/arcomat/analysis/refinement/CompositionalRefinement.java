@@ -203,9 +203,7 @@ final class CompositionalRefinement {
     }
 
     private Verdict verdict() {
-        long pairs = compared.values().stream().mapToLong(v -> v.explored().pairs()).sum();
-        int mine = compared.values().stream().mapToInt(v -> v.explored().left().orElse(0)).sum();
-        int theirs = compared.values().stream().mapToInt(v -> v.explored().right()).sum();
+        List<Explored> explored = compared.values().stream().map(Verdict::explored).toList();
         boolean simulation = compared.values().stream().allMatch(v -> v.simulation().orElse(false));
         String note =
                 "shown part by part: %d parts, %d different"
@@ -213,6 +211,6 @@ final class CompositionalRefinement {
         return Verdict.holds(
                 simulation ? Optional.of(true) : Optional.empty(),
                 List.of(note),
-                new Explored(pairs, mine, theirs));
+                Explored.together(explored, Integer::sum));
     }
 }

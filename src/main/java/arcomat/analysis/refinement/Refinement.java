@@ -14,7 +14,6 @@ import arcomat.analysis.search.system.NetworkSystem;
 import arcomat.semantics.automaton.ComponentSemantics;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -154,15 +153,7 @@ public final class Refinement {
         return Verdict.holds(
                 simulation && !decided ? Optional.empty() : Optional.of(simulation),
                 notes,
-                new Explored(
-                        explored.stream().mapToLong(Explored::pairs).sum(),
-                        explored.stream().anyMatch(each -> each.left().isEmpty())
-                                ? Optional.empty()
-                                : explored.stream()
-                                        .flatMap(each -> each.left().stream())
-                                        .max(Comparator.naturalOrder())
-                                        .or(() -> Optional.of(0)),
-                        explored.stream().mapToInt(Explored::right).sum()));
+                Explored.together(explored, Math::max));
     }
 
     private static int rank(Verdict verdict) {

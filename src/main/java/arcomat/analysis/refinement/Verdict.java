@@ -7,8 +7,10 @@ import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.source.Span;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -68,6 +70,25 @@ public record Verdict(
 
         public Explored(long pairs, int left, int right) {
             this(pairs, Optional.of(left), right);
+        }
+
+        /**
+         * All of them as one.
+         *
+         * @param ofLeft what two numbers of configurations are together
+         */
+        static Explored together(Collection<Explored> all, BinaryOperator<Integer> ofLeft) {
+            return new Explored(
+                    all.stream().mapToLong(Explored::pairs).sum(),
+                    all.stream()
+                            .map(Explored::left)
+                            .reduce(Optional.of(0), (one, other) -> known(one, other, ofLeft)),
+                    all.stream().mapToInt(Explored::right).sum());
+        }
+
+        private static Optional<Integer> known(
+                Optional<Integer> one, Optional<Integer> other, BinaryOperator<Integer> together) {
+            return one.flatMap(mine -> other.map(its -> together.apply(mine, its)));
         }
 
         /** Whether the answer was found without any search. */

@@ -167,13 +167,7 @@ public final class VerdictText {
     }
 
     private static String simulation(Verdict verdict) {
-        boolean fails = verdict.answer() != Answer.HOLDS;
-        return verdict.simulation()
-                .map(
-                        there ->
-                                there
-                                        ? "; there is a simulation"
-                                        : fails ? "" : "; there is no simulation")
-                .orElse("");
+        String none = verdict.answer() == Answer.HOLDS ? "; there is no simulation" : "";
+        return verdict.simulation().map(is -> is ? "; there is a simulation" : none).orElse("");
     }
 }
