@@ -49,7 +49,8 @@ public sealed interface Value extends Comparable<Value> {
     /** As in Java's literals, so that every text stays on one line and can be read again. */
     private static String escaped(String text, char quote) {
         StringBuilder escaped = new StringBuilder(text.length());
-        for (char c : text.toCharArray()) {
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
             switch (c) {
                 case '\n' -> escaped.append("\\n");
                 case '\r' -> escaped.append("\\r");
@@ -58,7 +59,7 @@ public sealed interface Value extends Comparable<Value> {
                 default -> {
                     if (c == quote) {
                         escaped.append('\\').append(c);
-                    } else if (Character.isISOControl(c)) {
+                    } else if (Character.isISOControl(c) || isHalf(text, i)) {
                         escaped.append(String.format("\\u%04x", (int) c));
                     } else {
                         escaped.append(c);
@@ -67,6 +68,17 @@ public sealed interface Value extends Comparable<Value> {
             }
         }
         return escaped.toString();
+    }
+
+    /** Whether a character is half of one, whose other half is missing: no file can hold it. */
+    private static boolean isHalf(String text, int at) {
+        return Character.isSurrogate(text.charAt(at)) && !isPair(text, at) && !isPair(text, at - 1);
+    }
+
+    private static boolean isPair(String text, int at) {
+        return at >= 0
+                && at + 1 < text.length()
+                && Character.isSurrogatePair(text.charAt(at), text.charAt(at + 1));
     }
 
     record BooleanValue(boolean value) implements Value {

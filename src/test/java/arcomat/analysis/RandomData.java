@@ -49,6 +49,7 @@ public final class RandomData {
     public static final Kind INTEGERS = new Many("Integer", "#");
     public static final Kind LARGE_RANGE = new Many("Integer[-3..9000]", "#");
     public static final Kind STRINGS = new Many("String", "\"#\"");
+    public static final Kind REALS = new Many("Double", "#.0");
 
     /** The variables and transitions of an automaton, and how it goes on where none fits. */
     private record Sketch(List<String> lines, String completion, String timing) {

@@ -123,7 +123,7 @@ public final class Replay {
     }
 
     /** How many moments a side can follow; an error is a moment without outputs. */
-    static int possible(Promise side, List<Moment> trace) {
+    public static int possible(Promise side, List<Moment> trace) {
         return possible(side, trace, Set.of());
     }
 

@@ -9,7 +9,8 @@ import java.util.function.ToLongFunction;
 
 /**
  * The values of a type as numbers: constants of enumerations and characters have their position,
- * truth values are 0 and 1. Numbers of floating point are what Java has in memory.
+ * truth values are 0 and 1. Numbers of floating point are what Java has in memory, texts have
+ * numbers of their own.
  *
  * @param width how many bits Java's arithmetic has for them
  * @param meaning the value that a number is the code of
@@ -33,10 +34,11 @@ record BitCodes(
                     Value::whole);
 
     /**
-     * @throws GivenUp for texts and objects
+     * @param texts the numbers of texts
+     * @throws GivenUp for objects
      */
-    static BitCodes of(Type type) {
-        return type.match(new OfTypes());
+    static BitCodes of(Type type, TextCodes texts) {
+        return type.match(new OfTypes(texts));
     }
 
     boolean isTruth() {
@@ -49,11 +51,7 @@ record BitCodes(
         return isTruth() ? 1 : Long.SIZE - Long.numberOfLeadingZeros(farthest) + 1;
     }
 
-    private static final class OfTypes implements Type.Cases<BitCodes> {
-        private static GivenUp noBits(Type type) {
-            return new GivenUp("there are no bits for values of " + type.name());
-        }
-
+    private record OfTypes(TextCodes texts) implements Type.Cases<BitCodes> {
         @Override
         public BitCodes booleanType(Type.BooleanType type) {
             return TRUTHS;
@@ -104,12 +102,12 @@ record BitCodes(
 
         @Override
         public BitCodes stringType(Type.StringType type) {
-            throw noBits(type);
+            return new BitCodes(Integer.SIZE, 0, TextCodes.MOST, texts::text, texts::code);
         }
 
         @Override
         public BitCodes classType(Type.ClassType type) {
-            throw noBits(type);
+            throw new GivenUp("there are no bits for values of " + type.name());
         }
     }
 }

@@ -2,6 +2,7 @@ package arcomat.analysis.bits;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -15,11 +16,14 @@ import java.util.Optional;
 
 /**
  * Expressions over the messages of a letter, each of which is there, in bits: exactly as the
- * interpreter has them. Truth values are one bit; constants of enumerations and characters are
- * their positions, numbers of floating point what Java has in memory.
+ * interpreter has them, but for {@link UnknownResults}. Truth values are one bit; constants of
+ * enumerations and characters are their positions, numbers of floating point what Java has in
+ * memory, texts have {@linkplain TextCodes numbers of their own}.
  */
 final class BitExpressions implements Expression.SomeCases<int[]> {
     private final Circuit circuit;
+    private final TextCodes texts = new TextCodes();
+    private final UnknownResults unknown = new UnknownResults();
     private final Map<String, int[]> messages = new HashMap<>();
     private final Map<Expression, int[]> known = new IdentityHashMap<>();
 
@@ -48,16 +52,30 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         return messages.computeIfAbsent(port.name(), name -> any(port.type()));
     }
 
+    /** Both carry the same message, whatever it is; the second one has not been read so far. */
+    void join(Port one, Port other) {
+        messages.put(other.name(), message(one));
+    }
+
+    BitCodes codes(Type type) {
+        return BitCodes.of(type, texts);
+    }
+
+    /** What has been taken for unknown. */
+    UnknownResults unknown() {
+        return unknown;
+    }
+
     /** Of a type with a range only so many bits are open as it takes; the others are its sign. */
     private int[] any(Type type) {
-        BitCodes codes = BitCodes.of(type);
+        BitCodes codes = codes(type);
         return Circuit.resized(
                 circuit.input(Math.min(codes.needed(), codes.width())), codes.width());
     }
 
     /** Whether bits are those of a value of the type; all of them are, if they may be. */
     int isOf(int[] bits, Type type) {
-        BitCodes codes = BitCodes.of(type);
+        BitCodes codes = codes(type);
         if (codes.isTruth()) {
             return circuit.of(true);
         }
@@ -75,7 +93,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     int[] value(Value value, Type type) {
-        BitCodes codes = BitCodes.of(type);
+        BitCodes codes = codes(type);
         return circuit.constant(codes.code().applyAsLong(value), codes.width());
     }
 
@@ -88,18 +106,18 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         boolean isReal = one.type() instanceof Type.RealType;
         boolean areAlike = one.type().equals(other.type());
         if (!areAlike && (isReal || other.type() instanceof Type.RealType)) {
-            throw noBits();
+            throw noBits(one);
         }
         return isReal ? Optional.of(reals((Type.RealType) one.type())) : Optional.empty();
     }
 
-    private static GivenUp noBits() {
-        return new GivenUp("there are no bits for it");
+    private static GivenUp noBits(Expression e) {
+        return new GivenUp("there are no bits for '%s'".formatted(ExpressionText.of(e)));
     }
 
     @Override
     public int[] otherwise(Expression expression) {
-        throw noBits();
+        throw noBits(expression);
     }
 
     @Override
@@ -156,11 +174,15 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         }
         int[] a = bits(one);
         int[] b = bits(other);
-        if ((a.length == 1) != (b.length == 1)) {
-            throw noBits();
+        if ((a.length == 1) != (b.length == 1) || isText(one.type()) != isText(other.type())) {
+            throw noBits(one);
         }
         int width = Math.max(a.length, b.length);
         return circuit.areEqual(Circuit.resized(a, width), Circuit.resized(b, width));
+    }
+
+    private static boolean isText(Type type) {
+        return type instanceof Type.StringType;
     }
 
     @Override
@@ -173,11 +195,14 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] cast(Expression.Cast cast) {
+        if (isText(cast.type()) || isText(cast.operand().type())) {
+            throw noBits(cast);
+        }
         if (cast.type() instanceof Type.RealType real) {
             return toReal(cast.operand(), real);
         }
         if (cast.operand().type() instanceof Type.RealType real) {
-            int width = Math.max(Integer.SIZE, BitCodes.of(cast.type()).width());
+            int width = Math.max(Integer.SIZE, codes(cast.type()).width());
             return narrowed(reals(real).toWhole(bits(cast.operand()), width), cast.type());
         }
         return narrowed(bits(cast.operand()), cast.type());
@@ -190,7 +215,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                     : reals(type).converted(bits(operand), RealFormat.of(from));
         }
         if (!operand.type().isNumber()) {
-            throw noBits();
+            throw noBits(operand);
         }
         return reals(type).ofWhole(bits(operand));
     }
@@ -212,9 +237,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                         case LONG -> Long.SIZE;
                     };
             int[] narrow = Circuit.resized(operand, Math.min(kept, operand.length));
-            return Circuit.resized(narrow, BitCodes.of(integer).width());
+            return Circuit.resized(narrow, codes(integer).width());
         }
-        return Circuit.resized(operand, BitCodes.of(type).width());
+        return Circuit.resized(operand, codes(type).width());
     }
 
     @Override
@@ -237,10 +262,11 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     private int[] sized(Expression operand, Type type) {
         boolean isReal = type instanceof Type.RealType;
         if (isReal != operand.type() instanceof Type.RealType
-                || isReal && !type.equals(operand.type())) {
-            throw noBits();
+                || isReal && !type.equals(operand.type())
+                || isText(type) != isText(operand.type())) {
+            throw noBits(operand);
         }
-        return Circuit.resized(bits(operand), BitCodes.of(type).width());
+        return Circuit.resized(bits(operand), codes(type).width());
     }
 
     @Override
@@ -276,6 +302,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private int isBelow(Expression one, Expression other) {
+        if (isText(one.type()) || isText(other.type())) {
+            throw noBits(one);
+        }
         int[] a = bits(one);
         int[] b = bits(other);
         int width = Math.max(a.length, b.length);
@@ -283,11 +312,24 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private int[] arithmetic(Expression.Binary binary) {
+        if (UnknownResults.isOf(binary)) {
+            return unknown.bits(
+                    binary, bits(binary.left()), bits(binary.right()), () -> some(binary.type()));
+        }
+        if (isText(binary.type())) {
+            throw noBits(binary);
+        }
         int[] left = sized(binary.left(), binary.type());
         int[] right = sized(binary.right(), binary.type());
         return binary.type() instanceof Type.RealType real
                 ? calculated(reals(real), binary.operator(), left, right)
                 : calculated(binary.operator(), left, right);
+    }
+
+    /** Of any value of a type, and of nothing else. */
+    private int[] some(Type type) {
+        int[] bits = any(type);
+        return circuit.choose(isOf(bits, type), bits, value(type.first(), type));
     }
 
     private int[] calculated(BinaryOperator operator, int[] left, int[] right) {
@@ -297,11 +339,10 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
             case MULTIPLY -> circuit.product(left, right);
             case DIVIDE -> circuit.divided(left, right).quotient();
             case REMAINDER -> circuit.divided(left, right).rest();
-            default -> throw noBits();
+            default -> throw new AssertionError(operator);
         };
     }
 
-    /** A remainder takes a step for each bit of a quotient that may have two thousand. */
     private static int[] calculated(
             FloatingPoint reals, BinaryOperator operator, int[] left, int[] right) {
         return switch (operator) {
@@ -309,7 +350,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
             case MINUS -> reals.difference(left, right);
             case MULTIPLY -> reals.product(left, right);
             case DIVIDE -> reals.quotient(left, right);
-            default -> throw noBits();
+            default -> throw new AssertionError(operator);
         };
     }
 }

@@ -1,22 +1,29 @@
 package arcomat.analysis.bits;
 
+import arcomat.analysis.bits.UnknownResults.Result;
 import arcomat.analysis.symbolic.CheckedSolver;
 import arcomat.model.Expression;
+import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Evaluation;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
- * Letters that make conditions true, where all is numbers, truth values and constants. Says that
- * there is none only where that is proved and the proof has been checked. Conditions are literals:
- * negative where the opposite is meant. All gives up where something else comes in.
+ * Letters that make conditions true, where all is numbers, truth values, constants and texts. Says
+ * that there is none only where that is proved and the proof has been checked. Conditions are
+ * literals: negative where the opposite is meant. All gives up where something else comes in.
  */
 public final class BitLetters {
     /** Assignments for one letter: seconds. A solver that needs more hardly finds an end. */
@@ -25,7 +32,13 @@ public final class BitLetters {
     /** Of these, to look for numbers that are easy to read. */
     private static final long WORK_FOR_SHORT = MOST_WORK / 20;
 
+    /** Of operations that have no circuit; enough where one is there that any letter shows. */
+    private static final int FEW_LESSONS = 4;
+
+    private static final Value[] NO_VARIABLES = {};
+
     private final List<Port> ports;
+    private final int lessons;
     private final BooleanSupplier stop;
     private final CheckedSolver solver = new CheckedSolver(this::insist);
     private final Circuit circuit = new Circuit(solver.clauses());
@@ -37,8 +50,22 @@ public final class BitLetters {
      * @param stop asked now and then, whether to give up
      */
     public BitLetters(List<Port> ports, BooleanSupplier stop) {
+        this(ports, Map.of(), FEW_LESSONS, stop);
+    }
+
+    /**
+     * As above.
+     *
+     * @param same ports that carry the same message as another one of their type, which is no such
+     *     port: what is calculated from both in the same way is the same without a question
+     * @param lessons how often, for one letter, it is found out what an operation gives that has no
+     *     circuit
+     */
+    public BitLetters(List<Port> ports, Map<Port, Port> same, int lessons, BooleanSupplier stop) {
         this.ports = List.copyOf(ports);
+        this.lessons = lessons;
         this.stop = stop;
+        same.forEach((port, other) -> expressions.join(other, port));
         for (Port port : ports) {
             claim(expressions.isOf(expressions.message(port), port.type()));
         }
@@ -47,7 +74,7 @@ public final class BitLetters {
     /** Whether values of a type have bits. */
     public static boolean areFor(Type type) {
         try {
-            return BitCodes.of(type).width() > 0;
+            return BitCodes.of(type, new TextCodes()).width() > 0;
         } catch (GivenUp none) {
             return false;
         }
@@ -97,11 +124,72 @@ public final class BitLetters {
      */
     public Optional<Value[]> find() {
         workBefore = solver.work();
+        Optional<Value[]> found = possible();
+        for (int lesson = 0; found.isPresent(); lesson++) {
+            Optional<Result> wrong = wrong(found.get());
+            if (wrong.isEmpty()) {
+                return found;
+            }
+            if (lesson == lessons) {
+                throw undecided(wrong.get().operation());
+            }
+            found = learnt(wrong.get().operation(), found.get());
+        }
+        return found;
+    }
+
+    /** With what an operation gives, first of all the same letter: it may do all the same. */
+    private Optional<Value[]> learnt(Expression.Binary operation, Value[] letter) {
+        int[] same =
+                ports.stream()
+                        .flatMapToInt(port -> Arrays.stream(expressions.message(port)))
+                        .map(bit -> solver.isTrue(bit) ? bit : -bit)
+                        .toArray();
+        learn(operation, letter);
+        return solver.finds(WORK_FOR_SHORT, same) ? Optional.of(letter) : possible();
+    }
+
+    /** A letter, as far as circuits tell. */
+    private Optional<Value[]> possible() {
         return solver.finds(WORK_FOR_SHORT, areBelow(7))
                         || solver.finds(WORK_FOR_SHORT, areBelow(15))
                         || solver.solve()
                 ? Optional.of(ports.stream().map(this::message).toArray(Value[]::new))
                 : Optional.empty();
+    }
+
+    private static GivenUp undecided(Expression operation) {
+        return new GivenUp(
+                "what '%s' gives has no circuit".formatted(ExpressionText.of(operation)));
+    }
+
+    /** The first operation that gives something else than what was taken for its result. */
+    private Optional<Result> wrong(Value[] letter) {
+        return expressions.unknown().all().stream()
+                .filter(each -> !isRight(each, letter))
+                .findFirst();
+    }
+
+    private boolean isRight(Result result, Value[] letter) {
+        Expression operation = result.operation();
+        try {
+            return value(operation, letter).equals(value(result.bits(), operation.type()));
+        } catch (Fault divisionByZero) {
+            return true; // nobody asks for what it gives
+        }
+    }
+
+    /** That an operation gives what it gives, wherever it is done with these operands. */
+    private void learn(Expression.Binary operation, Value[] letter) {
+        int left = is(operation.left(), value(operation.left(), letter));
+        int right = is(operation.right(), value(operation.right(), letter));
+        int result = is(operation, value(operation, letter));
+        claim(-and(List.of(left, right, -result)));
+    }
+
+    private Value value(Expression e, Value[] letter) {
+        return Objects.requireNonNull(
+                Evaluation.compile(e, Scope.ofPorts(ports)).evaluate(letter, NO_VARIABLES));
     }
 
     /** That all messages are numbers of so many bits. */
@@ -117,14 +205,18 @@ public final class BitLetters {
     }
 
     private Value message(Port port) {
-        int[] bits = expressions.message(port);
+        return value(expressions.message(port), port.type());
+    }
+
+    private Value value(int[] bits, Type type) {
         long number = 0;
         for (int i = 0; i < bits.length; i++) {
             if (solver.isTrue(bits[i])) {
                 number |= 1L << i;
             }
         }
-        return BitCodes.of(port.type())
+        return expressions
+                .codes(type)
                 .meaning()
                 .apply(bits.length == Integer.SIZE ? (int) number : number);
     }

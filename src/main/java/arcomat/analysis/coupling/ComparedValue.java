@@ -9,8 +9,8 @@ import arcomat.model.Value;
 import java.util.Optional;
 
 /**
- * What a variable is compared with: a value, or another variable, perhaps the opposite of it, and a
- * number more. Sums are those of 64 bits.
+ * What a variable is compared with: a value, or another variable, perhaps the opposite of it, and,
+ * of whole numbers, a number more. Their sums are those of 64 bits.
  *
  * @param variable empty for a value
  * @param plus 0 where nothing is added
@@ -33,7 +33,7 @@ record ComparedValue(Optional<Port> variable, boolean opposite, long plus, Value
     }
 
     /**
-     * @param type of a value
+     * @param type of what is compared with it
      */
     @SuppressWarnings("NullAway") // it stands in no model
     Expression expression(Type type) {
@@ -44,10 +44,12 @@ record ComparedValue(Optional<Port> variable, boolean opposite, long plus, Value
         if (!isCalculated()) {
             return read;
         }
-        Expression wide = new Expression.Cast(read, WIDE, null);
+        boolean isReal = type instanceof Type.RealType;
+        Expression wide = isReal ? read : new Expression.Cast(read, WIDE, null);
         Expression signed =
                 opposite
-                        ? new Expression.Unary(Expression.UnaryOperator.NEGATE, wide, WIDE, null)
+                        ? new Expression.Unary(
+                                Expression.UnaryOperator.NEGATE, wide, wide.type(), null)
                         : wide;
         Expression number = new Expression.Constant(new Value.IntegerValue(plus), WIDE, null);
         return plus == 0

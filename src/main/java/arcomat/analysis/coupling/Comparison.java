@@ -1,24 +1,35 @@
 package arcomat.analysis.coupling;
 
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
-import arcomat.model.Type;
+
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /** A condition over variables of both sides, as it stands in a certificate. */
-record Comparison(Port variable, BinaryOperator operator, ComparedValue measure) {
+record Comparison(Port variable, Relation relation, ComparedValue measure) {
     @SuppressWarnings("NullAway") // it stands in no model
-    Expression expression() {
-        return new Expression.Binary(
-                operator,
+    Claim claim() {
+        return new Claim(
+                relation,
                 new Expression.PortRead(variable, null),
-                measure.expression(variable.type()),
-                new Type.BooleanType(),
-                null);
+                measure.expression(variable.type()));
+    }
+
+    /** The variables that it is about. */
+    Stream<Port> variables() {
+        return Stream.concat(Stream.of(variable), measure.variable().stream());
+    }
+
+    /** Another variable, of the same type, that always has the same value. */
+    Optional<Port> same() {
+        return measure.variable()
+                .filter(other -> relation == Relation.same(variable.type()))
+                .filter(other -> other.type().equals(variable.type()) && !measure.isCalculated());
     }
 
     @Override
     public String toString() {
-        return variable.name() + " " + operator.sign() + " " + measure;
+        return relation.text(variable.name(), measure.toString());
     }
 }

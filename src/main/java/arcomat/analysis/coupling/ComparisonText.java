@@ -1,6 +1,5 @@
 package arcomat.analysis.coupling;
 
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -11,17 +10,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Reads comparisons: {@code left.n == right.m + 1}, {@code left.n <= 7}. */
+/**
+ * Reads comparisons: {@code left.n == right.m + 1}, {@code left.n <= 7}, {@code left.text == "on"},
+ * {@code left.d is right.e}, {@code !(left.d > 7.5)}.
+ */
 final class ComparisonText {
-    private static final List<BinaryOperator> EQUALITIES =
-            List.of(BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL);
-    private static final List<BinaryOperator> ORDERS =
-            List.of(
-                    BinaryOperator.LESS,
-                    BinaryOperator.LESS_OR_EQUAL,
-                    BinaryOperator.GREATER,
-                    BinaryOperator.GREATER_OR_EQUAL);
-
     private final Map<String, Port> variables = new HashMap<>();
 
     /**
@@ -33,42 +26,43 @@ final class ComparisonText {
 
     /** Empty where it is no comparison of these variables. */
     Optional<Comparison> read(String text) {
-        String[] words = text.split(" ", -1);
+        boolean denied = Relation.isDenied(text);
+        String[] words = (denied ? Relation.undenied(text) : text).split(" ", 3);
         Port variable = variables.get(words[0]);
-        if (variable == null || words.length != 3 && words.length != 5) {
-            return Optional.empty();
-        }
-        return operator(words[1], variable.type())
-                .flatMap(
-                        operator ->
-                                measure(words, variable.type())
-                                        .map(with -> new Comparison(variable, operator, with)));
-    }
-
-    private static Optional<BinaryOperator> operator(String sign, Type type) {
-        Stream<BinaryOperator> all =
-                isWhole(type)
-                        ? Stream.concat(EQUALITIES.stream(), ORDERS.stream())
-                        : EQUALITIES.stream();
-        return all.filter(each -> each.sign().equals(sign)).findFirst();
+        return variable == null || words.length < 3
+                ? Optional.empty()
+                : Relation.of(words[1], denied, variable.type())
+                        .flatMap(
+                                relation ->
+                                        measure(words[2], variable.type())
+                                                .map(w -> new Comparison(variable, relation, w)));
     }
 
     private static boolean isWhole(Type type) {
         return type instanceof Type.IntegerType;
     }
 
-    private Optional<ComparedValue> measure(String[] words, Type type) {
-        boolean opposite = words[2].startsWith("-");
-        Port other = variables.get(opposite ? words[2].substring(1) : words[2]);
+    private Optional<ComparedValue> measure(String text, Type type) {
+        boolean opposite = text.startsWith("-");
+        String[] words = text.split(" ", -1);
+        Port other = variables.get(opposite ? words[0].substring(1) : words[0]);
         if (other == null) {
-            return words.length == 3
-                    ? value(words[2], type).map(ComparedValue::of)
-                    : Optional.empty();
+            return value(text, type).map(ComparedValue::of);
         }
-        Optional<Long> plus = words.length == 3 ? Optional.of(0L) : plus(words[3], words[4]);
-        boolean fits = isWhole(type) ? isWhole(other.type()) : type.equals(other.type());
-        return plus.map(more -> ComparedValue.of(other, opposite, more))
-                .filter(with -> fits && (isWhole(type) || !with.isCalculated()));
+        Optional<Long> plus =
+                switch (words.length) {
+                    case 1 -> Optional.of(0L);
+                    case 3 -> plus(words[1], words[2]);
+                    default -> Optional.empty();
+                };
+        return plus.filter(more -> fits(other.type(), opposite, more, type))
+                .map(more -> ComparedValue.of(other, opposite, more));
+    }
+
+    private static boolean fits(Type other, boolean opposite, long plus, Type type) {
+        return isWhole(type)
+                ? isWhole(other)
+                : type.equals(other) && plus == 0 && (!opposite || type instanceof Type.RealType);
     }
 
     private static Optional<Long> plus(String sign, String number) {
@@ -85,6 +79,15 @@ final class ComparisonText {
         }
     }
 
+    private static Optional<Value> real(String text) {
+        try {
+            return Optional.of(new Value.RealValue(Double.parseDouble(text)));
+        } catch (NumberFormatException none) {
+            return Optional.empty();
+        }
+    }
+
+    /** A number that the type does not have is none, however near it is to one. */
     private static Optional<Value> value(String text, Type type) {
         if (type instanceof Type.EnumType constants) {
             int ordinal = constants.constants().indexOf(text);
@@ -97,6 +100,17 @@ final class ComparisonText {
                     .filter(truth -> text.equals(String.valueOf(truth)))
                     .<Value>map(Value.BooleanValue::new)
                     .findFirst();
+        }
+        if (type instanceof Type.StringType) {
+            return TextLiteral.read(text, '"').map(Value.StringValue::new);
+        }
+        if (type instanceof Type.CharacterType) {
+            return TextLiteral.read(text, '\'')
+                    .filter(each -> each.length() == 1)
+                    .map(each -> new Value.CharacterValue(each.charAt(0)));
+        }
+        if (type instanceof Type.RealType) {
+            return real(text).filter(type::has);
         }
         return isWhole(type) ? whole(text).map(Value.IntegerValue::new) : Optional.empty();
     }

@@ -17,7 +17,7 @@ record Conditions(Map<StatePair, List<Comparison>> byPair) {
     List<Port> variables() {
         return byPair.values().stream()
                 .flatMap(List::stream)
-                .flatMap(each -> each.expression().ports().stream())
+                .flatMap(Comparison::variables)
                 .distinct()
                 .toList();
     }

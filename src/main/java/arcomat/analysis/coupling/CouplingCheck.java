@@ -105,7 +105,7 @@ public final class CouplingCheck {
         }
         Value[] row = coupling.row(mine, theirs);
         return there.get().stream()
-                .filter(each -> !holds(each.expression(), coupling.memory, row))
+                .filter(each -> !each.claim().isTrue(coupling.memory, row))
                 .findFirst()
                 .map(
                         each ->
@@ -191,10 +191,8 @@ public final class CouplingCheck {
                                 all.stream()
                                         .filter(
                                                 each ->
-                                                        !holds(
-                                                                Slice.after(each, mine, theirs),
-                                                                slice.ports(),
-                                                                row))
+                                                        !Slice.after(each, mine, theirs)
+                                                                .isTrue(slice.ports(), row))
                                         .findFirst()
                                         .map(each -> there + ", where '" + each + "' is not true")
                                         .orElse(there))

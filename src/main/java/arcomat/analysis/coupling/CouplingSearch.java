@@ -4,13 +4,14 @@ import arcomat.analysis.bits.BitLetters;
 import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.model.Expression;
 import arcomat.model.Port;
-import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Formulas;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -52,12 +53,8 @@ public final class CouplingSearch {
     private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
         this.coupling = coupling;
         this.stop = stop;
-        this.variables = coupling.memory.stream().filter(each -> isCompared(each.type())).toList();
-    }
-
-    /** Of numbers of floating point it is not known what may be so of them. */
-    private static boolean isCompared(Type type) {
-        return BitLetters.areFor(type) && !(type instanceof Type.RealType);
+        this.variables =
+                coupling.memory.stream().filter(each -> BitLetters.areFor(each.type())).toList();
     }
 
     /**
@@ -97,7 +94,7 @@ public final class CouplingSearch {
     private void met(StatePair pair, List<Value> row) {
         List<Comparison> before = found.get(pair);
         List<Comparison> left =
-                (before == null ? candidates(pair).shownBy(row) : before)
+                (before == null ? candidates(pair, row) : before)
                         .stream().filter(each -> isShown(each, row)).toList();
         found.put(pair, left);
         if (before == null || left.size() < before.size()) {
@@ -105,15 +102,19 @@ public final class CouplingSearch {
         }
     }
 
-    private PossibleComparisons candidates(StatePair pair) {
+    /** A check knows them as text alone: what it would not read the same is left out. */
+    private List<Comparison> candidates(StatePair pair, List<Value> row) {
         List<Expression> read = new ArrayList<>(coupling.left.expressions(pair.left()));
         read.addAll(coupling.right.expressions(pair.right()));
-        return new PossibleComparisons(variables, PossibleComparisons.numbers(read));
+        ComparisonText text = coupling.comparisons();
+        return new PossibleComparisons(variables, PossibleComparisons.mentioned(read))
+                .shownBy(row).stream()
+                        .filter(each -> text.read(each.toString()).equals(Optional.of(each)))
+                        .toList();
     }
 
     private boolean isShown(Comparison comparison, List<Value> row) {
-        return Evaluation.compile(comparison.expression(), Scope.ofPorts(variables))
-                .isTrue(row.toArray(Value[]::new), NO_VARIABLES);
+        return comparison.claim().isTrue(variables, row.toArray(Value[]::new));
     }
 
     private void goOn(StatePair pair) {
@@ -130,22 +131,60 @@ public final class CouplingSearch {
         }
     }
 
-    /** Until no example of the step contradicts what is thought of the pair after it. */
+    /** Where that takes too long, only what is shown to be kept is thought of any longer. */
     private void follow(Slice slice, PossibleStep mine, PossibleStep theirs) {
-        StatePair after = Slice.after(mine, theirs);
-        Optional<Value[]> example = another(slice, mine, theirs);
-        while (example.isPresent()) {
-            Value[] row = example.get();
-            met(after, variables.stream().map(v -> after(v, slice, mine, theirs, row)).toList());
-            example = another(slice, mine, theirs);
+        try {
+            refute(slice, mine, theirs);
+        } catch (GivenUp hard) {
+            if (isOver() || found.get(Slice.after(mine, theirs)) == null) {
+                throw hard;
+            }
+            keep(slice, mine, theirs);
         }
     }
 
-    private Optional<Value[]> another(Slice slice, PossibleStep mine, PossibleStep theirs) {
+    private boolean isOver() {
+        return questions > MOST_QUESTIONS || stop.getAsBoolean();
+    }
+
+    private void keep(Slice slice, PossibleStep mine, PossibleStep theirs) {
+        StatePair after = Slice.after(mine, theirs);
+        List<Comparison> all = Objects.requireNonNull(found.get(after));
+        List<Comparison> kept =
+                all.stream().filter(each -> isKept(each, slice, mine, theirs)).toList();
+        found.put(after, kept);
+        if (kept.size() < all.size()) {
+            open.add(after);
+        }
+    }
+
+    private boolean isKept(Comparison one, Slice slice, PossibleStep mine, PossibleStep theirs) {
+        try {
+            return another(slice, mine, theirs, List.of(one)).isEmpty();
+        } catch (GivenUp hard) {
+            if (isOver()) {
+                throw hard;
+            }
+            return false;
+        }
+    }
+
+    /** Until no example of the step contradicts what is thought of the pair after it. */
+    private void refute(Slice slice, PossibleStep mine, PossibleStep theirs) {
+        StatePair after = Slice.after(mine, theirs);
+        Optional<Value[]> example = another(slice, mine, theirs, found.get(after));
+        while (example.isPresent()) {
+            Value[] row = example.get();
+            met(after, variables.stream().map(v -> after(v, slice, mine, theirs, row)).toList());
+            example = another(slice, mine, theirs, found.get(after));
+        }
+    }
+
+    private Optional<Value[]> another(
+            Slice slice, PossibleStep mine, PossibleStep theirs, @Nullable List<Comparison> known) {
         SliceSolver solver = solver(slice, Objects.requireNonNull(found.get(slice.pair())));
         solver.claim(mine.when());
         solver.claim(solver.answers(mine, theirs));
-        List<Comparison> known = found.get(Slice.after(mine, theirs));
         if (known != null) {
             solver.claimNot(solver.leadsTo(known, mine, theirs));
         }
@@ -213,7 +252,7 @@ public final class CouplingSearch {
     private boolean follows(Comparison one, List<Comparison> others, StatePair pair) {
         Slice variablesOnly = new Slice(pair, List.of(), List.of(), Formulas.FALSE, variables);
         SliceSolver solver = solver(variablesOnly, others);
-        solver.claim(Formulas.not(one.expression()));
+        solver.claimNot(solver.truth(one.claim()));
         return solver.find().isEmpty();
     }
 }

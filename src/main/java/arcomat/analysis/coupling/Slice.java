@@ -63,9 +63,9 @@ record Slice(
     }
 
     /** A comparison of what variables are after a step of both, about what was before. */
-    static Expression after(Comparison comparison, PossibleStep mine, PossibleStep theirs) {
+    static Claim after(Comparison comparison, PossibleStep mine, PossibleStep theirs) {
         return comparison
-                .expression()
+                .claim()
                 .rewritten(
                         leaf ->
                                 leaf instanceof Expression.PortRead read

@@ -6,12 +6,16 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /** One question about a slice: whether there are messages and variables for something. */
 final class SliceSolver {
+    private static final int LESSONS = 20;
+
     private final BitLetters letters;
     private final List<Port> observed;
 
@@ -21,8 +25,27 @@ final class SliceSolver {
      */
     SliceSolver(Slice slice, List<Comparison> before, List<Port> observed, BooleanSupplier stop) {
         this.observed = observed;
-        letters = new BitLetters(slice.ports(), stop);
-        before.forEach(each -> claim(each.expression()));
+        letters = new BitLetters(slice.ports(), same(before), LESSONS, stop);
+        before.forEach(each -> claim(truth(each.claim())));
+    }
+
+    /** Of variables that have the same value all but one, each with that one. */
+    private static Map<Port, Port> same(List<Comparison> before) {
+        Map<Port, Port> first = new LinkedHashMap<>();
+        for (Comparison each : before) {
+            each.same().ifPresent(other -> join(each.variable(), other, first));
+        }
+        return first;
+    }
+
+    private static void join(Port variable, Port other, Map<Port, Port> first) {
+        Port one = first.getOrDefault(variable, variable);
+        Port two = first.getOrDefault(other, other);
+        if (!one.equals(two)) {
+            first.replaceAll(
+                    (port, representative) -> representative.equals(two) ? one : representative);
+            first.put(two, one);
+        }
     }
 
     void claim(Expression condition) {
@@ -52,6 +75,12 @@ final class SliceSolver {
                 : truth(theirs.allows(mine));
     }
 
+    int truth(Claim claim) {
+        return claim.asked()
+                .map(e -> claim.relation().isDenied() ? -letters.truth(e) : letters.truth(e))
+                .orElseGet(() -> letters.areSame(claim.one(), claim.other()));
+    }
+
     /** That is known. */
     int truth(boolean known) {
         int always = letters.and(List.of());
@@ -61,9 +90,7 @@ final class SliceSolver {
     /** That comparisons are true after a step of both. */
     int leadsTo(List<Comparison> after, PossibleStep mine, PossibleStep theirs) {
         return letters.and(
-                after.stream()
-                        .map(each -> letters.truth(Slice.after(each, mine, theirs)))
-                        .toList());
+                after.stream().map(each -> truth(Slice.after(each, mine, theirs))).toList());
     }
 
     int and(int one, int other) {

@@ -112,7 +112,9 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
                         && CoupledRefinement.readsMuch(left, right)
                         && budget.takes(Shortcut.CONDITIONS);
         if (others) {
-            return CoupledRefinement.proof(left, right, budget).map(Supplier::get).or(() -> found);
+            return CoupledRefinement.proof(left, right, budget, reason -> {})
+                    .map(Supplier::get)
+                    .or(() -> found);
         }
         return found.isPresent() && found.get().form() == Form.CLAUSES
                 ? onPaper(() -> ComparedSystems.of(left, right, budget), () -> found, budget)

@@ -15,6 +15,7 @@ import arcomat.semantics.value.SmallType;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
@@ -28,6 +29,8 @@ final class CoupledRefinement {
 
     private static final String PROVED =
             "proved by conditions over variables, verified; not all values were tried";
+
+    private static final String NOTHING_FOUND = "no conditions over variables were found: ";
 
     private CoupledRefinement() {}
 
@@ -62,11 +65,18 @@ final class CoupledRefinement {
     /**
      * A proof that has been checked; empty where there is none to be had.
      *
+     * @param giveUp told why, where that was not found out
      * @return what tells it, as briefly as possible
      */
-    static Optional<Supplier<Certificate>> proof(Promise left, Promise right, Budget budget) {
+    static Optional<Supplier<Certificate>> proof(
+            Promise left, Promise right, Budget budget, Consumer<String> giveUp) {
         return areFlat(left, right)
-                ? Budget.within(() -> found(left, right, budget), reason -> Optional.empty())
+                ? Budget.within(
+                        () -> found(left, right, budget),
+                        reason -> {
+                            giveUp.accept(reason);
+                            return Optional.empty();
+                        })
                 : Optional.empty();
     }
 
@@ -114,6 +124,13 @@ final class CoupledRefinement {
     private static Coupling.Subject subject(Promise promise) {
         return new Coupling.Subject(
                 promise.component(), promise.automata().get(0), promise.arguments());
+    }
+
+    /** That nothing was found, because of something that stood in the way. */
+    static Verdict noted(Verdict verdict, String reason) {
+        return verdict.answer() == Verdict.Answer.UNKNOWN && !verdict.reason().equals(reason)
+                ? verdict.with(NOTHING_FOUND + reason)
+                : verdict;
     }
 
     static Verdict verdict() {

@@ -211,12 +211,15 @@ public final class Refinement {
         if (verdict.answer() != Answer.UNKNOWN) {
             return verdict;
         }
-        Optional<Supplier<Certificate>> shown = CoupledRefinement.proof(left, right, budget);
+        List<String> reasons = new ArrayList<>();
+        Optional<Supplier<Certificate>> shown =
+                CoupledRefinement.proof(left, right, budget, reasons::add);
         if (shown.isPresent()) {
             proof.accept(() -> Optional.of(shown.get().get()));
             return CoupledRefinement.verdict();
         }
-        return byPairs(left, right, budget, Optional.empty(), proof);
+        Verdict whole = byPairs(left, right, budget, Optional.empty(), proof);
+        return reasons.isEmpty() ? whole : CoupledRefinement.noted(whole, reasons.get(0));
     }
 
     private static Verdict byPairs(

@@ -2,6 +2,7 @@ package arcomat.analysis.coupling;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.RandomData;
 import arcomat.analysis.RandomPairs;
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.Sections;
@@ -10,6 +11,7 @@ import arcomat.analysis.Verdicts;
 import arcomat.analysis.refinement.Certification;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.RandomQuestion;
+import arcomat.analysis.refinement.RandomRun;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Sides;
 import arcomat.analysis.refinement.Verdict;
@@ -27,27 +29,37 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
 
 /**
  * Conditions over variables as certificates: what is a proof is accepted, what is none is refused,
- * and it is said why. In {@code coupling/checks.txt}, below {@code == check A B} a line says {@code
- * proof} or a part of what is wrong, and the lines below it are those of a certificate.
+ * and it is said why. In the files of {@code coupling}, below {@code == check A B} a line says
+ * {@code proof} or a part of what is wrong, and the lines below it are those of a certificate;
+ * below {@code == ask A B} stand verdicts, as for {@link VerdictsTest}.
  */
 class CouplingCheckTest {
     private static final Path CHECKS = Path.of("src/test/resources/analysis/coupling/checks.txt");
-    private static final Path VERDICTS =
-            Path.of("src/test/resources/analysis/coupling/verdicts.txt");
+    private static final List<Path> FILES =
+            Stream.of("checks", "verdicts", "reals", "texts")
+                    .map(each -> Path.of("src/test/resources/analysis/coupling", each + ".txt"))
+                    .toList();
     private static final String PROVED = "proved by conditions";
+    private static final int RUNS = 30;
 
     @TestFactory
     Stream<DynamicTest> checks() {
-        Sections sections = Sections.read(CHECKS);
+        return FILES.stream().flatMap(CouplingCheckTest::checks);
+    }
+
+    private static Stream<DynamicTest> checks(Path file) {
+        Sections sections = Sections.read(file);
         Model model = sections.model();
         return sections.tests(Set.of("check"), each -> check(model, each));
     }
@@ -101,7 +113,11 @@ class CouplingCheckTest {
     /** As {@link VerdictsTest}; without conditions, these questions have no end. */
     @TestFactory
     Stream<DynamicTest> verdicts() {
-        Sections sections = Sections.read(VERDICTS);
+        return FILES.stream().flatMap(CouplingCheckTest::verdicts);
+    }
+
+    private static Stream<DynamicTest> verdicts(Path file) {
+        Sections sections = Sections.read(file);
         Model model = sections.model();
         return sections.of("ask").stream()
                 .flatMap(
@@ -126,26 +142,39 @@ class CouplingCheckTest {
     /** Each proof of the data is accepted, and is none where something of it is changed. */
     @Test
     void whatIsFoundIsAProofAndNeedsItsParts() {
-        Sections sections = Sections.read(VERDICTS);
-        Model model = sections.model();
         int proofs = 0;
         int refused = 0;
         int changed = 0;
-        for (Section ask : sections.of("ask")) {
-            if (ask.lines().get(0).contains(PROVED)) {
-                Promise left = left(model, ask);
-                Promise right = right(model, ask);
-                Certificate proof = certificate(left, right);
-                assertThat(problem(left, right, List.of(proof))).isEmpty();
-                for (Certificate other : changed(proof)) {
-                    changed++;
-                    refused += problem(left, right, List.of(other)).isPresent() ? 1 : 0;
+        for (Path file : FILES) {
+            Sections sections = Sections.read(file);
+            Model model = sections.model();
+            for (Section ask : sections.of("ask")) {
+                if (ask.lines().get(0).contains(PROVED)) {
+                    Promise left = left(model, ask);
+                    Promise right = right(model, ask);
+                    Certificate proof = certificate(left, right);
+                    assertThat(problem(left, right, List.of(read(proof)))).isEmpty();
+                    for (Certificate other : changed(proof)) {
+                        changed++;
+                        refused += problem(left, right, List.of(other)).isPresent() ? 1 : 0;
+                    }
+                    proofs++;
                 }
-                proofs++;
             }
         }
-        assertThat(proofs).isGreaterThan(3);
+        assertThat(proofs).isGreaterThan(15);
         assertThat(refused).isGreaterThan(changed * 2 / 3);
+    }
+
+    /** As it comes out of a file. */
+    private static Certificate read(Certificate proof) {
+        byte[] file =
+                CertificateText.render("A", "B", List.of(proof)).getBytes(StandardCharsets.UTF_8);
+        return CertificateText.parse(new String(file, StandardCharsets.UTF_8))
+                .orElseThrow()
+                .get(0)
+                .certificates()
+                .get(0);
     }
 
     private static Certificate certificate(Promise left, Promise right) {
@@ -167,6 +196,7 @@ class CouplingCheckTest {
                 all.add(with(proof, i, replaced(entry, c, List.of())));
                 String one = entry.right().get(c);
                 all.add(with(proof, i, replaced(entry, c, List.of(one.replace("==", "<=")))));
+                all.add(with(proof, i, replaced(entry, c, List.of(one.replace(" is ", " == ")))));
                 all.add(
                         with(
                                 proof,
@@ -239,6 +269,54 @@ class CouplingCheckTest {
             }
         }
         return new Certificate(Form.CONDITIONS, entries);
+    }
+
+    /** Of data that are only moved and compared, the search knows which fail. */
+    @Test
+    void whatFailsAboutTextsIsNotProved() {
+        int failed = 0;
+        int proved = 0;
+        for (int seed = 0; seed < 120; seed++) {
+            Sides sides = sides(new RandomData(seed).atoms(), RandomData.STRINGS);
+            Answer answer = sides.check(new Budget(() -> false, 10_000)).answer();
+            boolean found = isComparable(sides) && isProved(sides.left(), sides.right());
+            assertThat(found && answer == Answer.FAILS).as("seed " + seed).isFalse();
+            failed += answer == Answer.FAILS ? 1 : 0;
+            proved += found ? 1 : 0;
+        }
+        assertThat(failed).isGreaterThan(20);
+        assertThat(proved).isGreaterThan(20);
+    }
+
+    private static boolean isComparable(Sides sides) {
+        return Refinement.comparable(sides.left(), sides.right()).isEmpty();
+    }
+
+    private static Sides sides(List<String> atoms, RandomData.Kind kind) {
+        Model model = RandomData.model(atoms, kind);
+        return new Sides(
+                VerdictsTest.promise(model, "r.Left", '-'),
+                VerdictsTest.promise(model, "r.Right", '-'));
+    }
+
+    /** Of Doubles, runs with zeros of both signs and with what is no number. */
+    @Test
+    void whatIsProvedOfRealsHoldsInRuns() {
+        int proved = 0;
+        for (int seed = 0; seed < 40; seed++) {
+            List<String> atoms = new RandomData(seed).atoms();
+            if (seed % 2 == 1) {
+                atoms = atoms.stream().map(each -> each.replace(" != ", " < ")).toList();
+            }
+            Sides sides = sides(atoms, RandomData.REALS);
+            if (isComparable(sides) && isProved(sides.left(), sides.right())) {
+                proved++;
+                for (int run = 0; run < RUNS; run++) {
+                    RandomRun.follow(sides, new Random(run), "seed " + seed + ": " + atoms);
+                }
+            }
+        }
+        assertThat(proved).isGreaterThan(8);
     }
 
     /** Of random questions about Integers, the search knows which fail. */
