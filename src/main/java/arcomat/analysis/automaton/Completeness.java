@@ -2,7 +2,7 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Situation;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Port;

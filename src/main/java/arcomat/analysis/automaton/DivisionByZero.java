@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.semantics.expression.Fault;
 
 /** A division, or a remainder, by zero; in a guard or in what is sent or assigned. */

@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.exploration.Situation;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 

@@ -3,7 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Visit;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.source.Diagnostic;
 
 import java.util.List;

@@ -3,7 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Situation.Alternative;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.source.Diagnostic;
 

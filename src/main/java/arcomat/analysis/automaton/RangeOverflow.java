@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.semantics.expression.Fault;
 
 /** A value that leaves the range of its variable or port. */

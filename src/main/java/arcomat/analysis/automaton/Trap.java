@@ -6,7 +6,7 @@ import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.automaton.exploration.SureSending;
 import arcomat.analysis.automaton.exploration.Visit;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.source.Diagnostic;
 
 import com.carrotsearch.hppc.IntArrayList;

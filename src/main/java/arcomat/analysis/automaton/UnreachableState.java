@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.exploration.Knowledge;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Automaton.Transition;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;

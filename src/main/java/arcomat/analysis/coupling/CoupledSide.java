@@ -1,8 +1,8 @@
 package arcomat.analysis.coupling;
 
+import arcomat.analysis.reachability.Preconditions;
 import arcomat.analysis.search.system.RunErrors;
 import arcomat.analysis.smt.DataStep;
-import arcomat.analysis.smt.Preconditions;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Automaton.Transition;

@@ -1,11 +1,11 @@
 package arcomat.analysis.coverage;
 
+import arcomat.analysis.reachability.Preconditions;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.letter.Representatives;
 import arcomat.analysis.smt.DataStep;
 import arcomat.analysis.smt.KnownExamples;
-import arcomat.analysis.smt.Preconditions;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;

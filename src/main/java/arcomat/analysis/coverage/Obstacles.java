@@ -1,7 +1,7 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Trace;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;

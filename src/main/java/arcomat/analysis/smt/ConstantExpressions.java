@@ -1,5 +1,6 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
 import arcomat.model.Parameter;
 import arcomat.model.Type;
@@ -74,7 +75,7 @@ record ConstantExpressions(
 
     @Override
     public Optional<Long> cast(Expression.Cast cast) {
-        return Translation.isInteger(cast.type())
+        return Interval.isInteger(cast.type())
                 ? integer(cast.operand()).filter(fits(cast))
                 : Optional.empty();
     }

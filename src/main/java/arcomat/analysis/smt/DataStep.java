@@ -1,11 +1,11 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.reachability.Hazard;
+import arcomat.analysis.reachability.Preconditions;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
-import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
@@ -63,7 +63,6 @@ public record DataStep(
             Preconditions when,
             Configuration configuration,
             StepRelation relation) {
-        List<Expression> outside = new ArrayList<>();
         Map<String, List<Expression>> sends = new HashMap<>();
         List<Expression> stores = new ArrayList<>();
         Map<String, Expression> variables = new HashMap<>();
@@ -71,7 +70,6 @@ public record DataStep(
             List<Expression> values = new ArrayList<>();
             for (Expression value : send.emission().values()) {
                 values.add(relation.reduced(value, configuration));
-                outside.add(isOutside(value, send.port().type()));
             }
             sends.put(send.port().name(), values);
         }
@@ -79,7 +77,6 @@ public record DataStep(
             Expression value = relation.reduced(assignment.value(), configuration);
             stores.add(value);
             variables.put(assignment.variable().name(), value);
-            outside.add(isOutside(assignment.value(), assignment.variable().type()));
         }
         shown(relation, configuration, variables, sends);
         Expression divides = when.dividesInGuard();
@@ -89,7 +86,7 @@ public record DataStep(
                 Hazard.isNever(dividesThen)
                         ? enabled
                         : Hazard.and(enabled, Hazard.not(dividesThen));
-        Expression leaves = outside.stream().reduce(Hazard.NEVER, Hazard::or);
+        Expression leaves = when.leavesRange();
         Expression happens =
                 Hazard.isNever(leaves) ? goesOn : Hazard.and(goesOn, Hazard.not(leaves));
         List<Expression> asks = new ArrayList<>(List.of(divides, enabled, goesOn, happens));
@@ -136,18 +133,6 @@ public record DataStep(
         Map<String, Expression> values = new HashMap<>();
         sends.forEach((port, value) -> values.put(port, value.get(0)));
         return values;
-    }
-
-    private static Expression isOutside(Expression value, Type type) {
-        if (!(type instanceof Type.IntegerType integer) || !integer.ranged()) {
-            return Hazard.NEVER;
-        }
-        Type wide = Type.IntegerType.of(Type.Width.LONG);
-        Expression number = new Expression.Cast(value, wide, value.span());
-        return Hazard.or(
-                Hazard.compare(BinaryOperator.LESS, number, Hazard.number(integer.low(), number)),
-                Hazard.compare(
-                        BinaryOperator.GREATER, number, Hazard.number(integer.high(), number)));
     }
 
     /**

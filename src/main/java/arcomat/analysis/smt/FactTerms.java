@@ -1,5 +1,6 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.reachability.Logic.Answer;
 import arcomat.model.Expression;
 import arcomat.model.ExpressionText;
 import arcomat.model.Port;
@@ -97,12 +98,10 @@ final class FactTerms implements FactSolver {
     @Override
     public Optional<Value[]> another() {
         List<Value[]> found = new ArrayList<>();
-        Solver.Answer answer =
-                lesson.isEmpty()
-                        ? Solver.Answer.NO
-                        : solver.assuming(lesson, () -> found.add(messages()));
+        Answer answer =
+                lesson.isEmpty() ? Answer.NO : solver.assuming(lesson, () -> found.add(messages()));
         lesson = List.of();
-        if (answer != Solver.Answer.YES) {
+        if (answer != Answer.YES) {
             answer = solver.assuming(List.of(), () -> found.add(messages()));
         }
         return switch (answer) {

@@ -1,5 +1,7 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.reachability.Logic.Answer;
+
 import de.uni_freiburg.informatik.ultimate.logic.ApplicationTerm;
 import de.uni_freiburg.informatik.ultimate.logic.ConstantTerm;
 import de.uni_freiburg.informatik.ultimate.logic.Logics;
@@ -23,13 +25,6 @@ import java.util.function.BooleanSupplier;
 
 /** Linear integer arithmetic with Booleans: terms, assertions, and whether they can be true. */
 final class Solver {
-    /** Whether what was asserted can be true. */
-    enum Answer {
-        YES,
-        NO,
-        UNKNOWN
-    }
-
     /** How often the solver may ask, for one answer, whether to go on. */
     private static final int PATIENCE = 500;
 

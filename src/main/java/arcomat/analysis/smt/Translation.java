@@ -149,14 +149,9 @@ final class Translation implements Expression.Cases<Term> {
         if (cast.type().equals(cast.operand().type())) {
             return term(cast.operand());
         }
-        return isInteger(cast.type()) && isInteger(cast.operand().type())
+        return Interval.isInteger(cast.type()) && Interval.isInteger(cast.operand().type())
                 ? modular.wrapped(term(cast.operand()), cast)
                 : unknown("cast", cast);
-    }
-
-    /** Characters count as their codes. */
-    static boolean isInteger(Type type) {
-        return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
     }
 
     private Term oneOf(Expression element, List<Expression> set) {
@@ -192,7 +187,7 @@ final class Translation implements Expression.Cases<Term> {
     }
 
     private Term negated(Term operand, Expression.Unary negation) {
-        if (isInteger(negation.type())) {
+        if (Interval.isInteger(negation.type())) {
             return modular.wrapped(solver.apply("-", operand), negation);
         }
         return negation.type() instanceof Type.RealType real && codes.isExact(real)
@@ -211,7 +206,7 @@ final class Translation implements Expression.Cases<Term> {
             case IMPLIES -> solver.or(solver.not(term(binary.left())), term(binary.right()));
             case EQUIVALENT -> solver.equal(term(binary.left()), term(binary.right()));
             default ->
-                    isInteger(binary.type())
+                    Interval.isInteger(binary.type())
                             ? arithmetic(binary)
                             : unknown(binary.operator(), binary);
         };
@@ -229,7 +224,7 @@ final class Translation implements Expression.Cases<Term> {
                             term(binary.right()),
                             solver);
         }
-        return isInteger(binary.left().type()) && isInteger(binary.right().type())
+        return Interval.isInteger(binary.left().type()) && Interval.isInteger(binary.right().type())
                 ? operation(binary)
                 : unknown(binary.operator(), binary);
     }

@@ -3,7 +3,7 @@ package arcomat.pipeline.guest;
 import arcomat.analysis.automaton.OutsideQuestion;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Situation;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.check.guest.GuestFailure;
 import arcomat.check.guest.GuestThread;
 import arcomat.guest.AutomatonRuns;

@@ -3,7 +3,7 @@ package arcomat.pipeline.guest;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Visit;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Subject;
 import arcomat.guest.AutomatonRuns;
 import arcomat.guest.AutomatonRuns.Reached;
 import arcomat.guest.AutomatonRuns.Reaction;

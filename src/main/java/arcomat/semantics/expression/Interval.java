@@ -30,7 +30,8 @@ public record Interval(BigInteger low, BigInteger high) {
                 && !(e instanceof Expression.Conditional || e instanceof Expression.AttributeRead);
     }
 
-    private static boolean isInteger(Type type) {
+    /** Characters count as their codes. */
+    public static boolean isInteger(Type type) {
         return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
     }
 

@@ -7,11 +7,12 @@ import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.RunProperties;
 import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
+import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Reachability;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
-import arcomat.analysis.smt.SymbolicSearch;
+import arcomat.analysis.smt.LinearLogic;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.models.ReadModels;
@@ -173,6 +174,7 @@ class NaiveAgreementTest {
                 SymbolicSearch.answer(
                         subject,
                         new RunProperties(subject).all(),
+                        List.of(LinearLogic.KIND),
                         (question, run) -> confirmation.of(question, run).isPresent(),
                         () -> false);
 

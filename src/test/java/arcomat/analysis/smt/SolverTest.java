@@ -2,6 +2,8 @@ package arcomat.analysis.smt;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.reachability.Logic.Answer;
+
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
 import org.junit.jupiter.api.Test;
@@ -14,22 +16,22 @@ import java.util.function.BooleanSupplier;
 class SolverTest {
     @Test
     void answers() {
-        assertThat(canDiffer(5, 4, () -> false)).isEqualTo(Solver.Answer.NO);
-        assertThat(canDiffer(4, 4, () -> false)).isEqualTo(Solver.Answer.YES);
+        assertThat(canDiffer(5, 4, () -> false)).isEqualTo(Answer.NO);
+        assertThat(canDiffer(4, 4, () -> false)).isEqualTo(Answer.YES);
     }
 
     @Test
     void givesUpWhenItIsToldTo() {
-        assertThat(canDiffer(5, 4, () -> true)).isEqualTo(Solver.Answer.UNKNOWN);
+        assertThat(canDiffer(5, 4, () -> true)).isEqualTo(Answer.UNKNOWN);
     }
 
     /** And when it has asked often enough. */
     @Test
     void givesUpByItself() {
-        assertThat(canDiffer(12, 11, () -> false)).isEqualTo(Solver.Answer.UNKNOWN);
+        assertThat(canDiffer(12, 11, () -> false)).isEqualTo(Answer.UNKNOWN);
     }
 
-    private static Solver.Answer canDiffer(int count, int values, BooleanSupplier stop) {
+    private static Answer canDiffer(int count, int values, BooleanSupplier stop) {
         Solver solver = new Solver(stop);
         List<Term> all = new ArrayList<>();
         for (int i = 0; i < count; i++) {

@@ -1,9 +1,9 @@
 package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.smt.Reachability.Place;
-import arcomat.analysis.smt.Reachability.Run;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Reachability.Place;
+import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;

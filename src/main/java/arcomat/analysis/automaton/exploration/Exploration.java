@@ -1,10 +1,10 @@
 package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.automaton.exploration.Visit.Place;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Letters;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Output;

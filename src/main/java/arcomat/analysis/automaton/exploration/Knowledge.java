@@ -1,9 +1,9 @@
 package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.smt.Reachability;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.RunProperty.Difference;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.RunProperty.Difference;
+import arcomat.analysis.reachability.Subject;
 
 import java.util.List;
 import java.util.Map;

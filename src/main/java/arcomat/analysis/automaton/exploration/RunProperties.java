@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.RunProperty.Difference;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.RunProperty.Difference;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Automaton;
 import arcomat.semantics.expression.Fault;
 

@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton.exploration;
 
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.RunProperty.Difference;
 import arcomat.analysis.search.letter.Letters;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.RunProperty.Difference;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Reaction;

@@ -1,10 +1,12 @@
 package arcomat.analysis.automaton.exploration;
 
+import arcomat.analysis.reachability.Logic;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
+import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Reachability;
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
-import arcomat.analysis.smt.SymbolicSearch;
+import arcomat.analysis.smt.LinearLogic;
 
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -21,6 +23,8 @@ public final class Solving {
 
     /** How often the solver may ask whether to go on; the same on every machine. */
     private static final long PATIENCE = 30_000;
+
+    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND);
 
     private final Subject subject;
     private final Consumer<Situation> watching;
@@ -41,7 +45,11 @@ public final class Solving {
         if (!open.isEmpty() && open.size() <= MOST_QUESTIONS) {
             answers =
                     SymbolicSearch.answer(
-                            subject, open, this::confirm, budget.patient(PATIENCE)::isSpent);
+                            subject,
+                            open,
+                            SOLVERS,
+                            this::confirm,
+                            budget.patient(PATIENCE)::isSpent);
         }
         Set<RunProperty> shown = new HashSet<>(explored.shown());
         found.values().forEach(situation -> shown.addAll(situation.shows()));

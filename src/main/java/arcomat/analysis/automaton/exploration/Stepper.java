@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.automaton.exploration.Situation.Alternative;
-import arcomat.analysis.smt.Preconditions;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.Preconditions;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;

@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Component;

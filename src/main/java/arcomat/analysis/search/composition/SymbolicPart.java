@@ -2,9 +2,9 @@ package arcomat.analysis.search.composition;
 
 import static arcomat.analysis.search.composition.SymbolicWay.OPEN;
 
+import arcomat.analysis.reachability.Preconditions;
 import arcomat.analysis.search.composition.SymbolicWay.Untold;
 import arcomat.analysis.smt.DataStep;
-import arcomat.analysis.smt.Preconditions;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;

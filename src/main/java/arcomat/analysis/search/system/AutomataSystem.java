@@ -1,10 +1,10 @@
 package arcomat.analysis.search.system;
 
+import arcomat.analysis.reachability.Preconditions;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.smt.DataStep;
-import arcomat.analysis.smt.Preconditions;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;

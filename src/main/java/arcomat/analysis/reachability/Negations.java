@@ -1,4 +1,4 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;

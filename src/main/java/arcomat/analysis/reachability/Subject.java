@@ -1,4 +1,4 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
 import arcomat.graph.Digraph;
 import arcomat.model.Automaton;

@@ -1,10 +1,11 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Interval;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,12 +18,12 @@ import java.util.function.UnaryOperator;
  *
  * @param here whether an operation itself does it, where its operands do not
  */
-record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expression> {
+public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expression> {
     private static final Type TRUTH = new Type.BooleanType();
 
     /** It never does. */
     @SuppressWarnings("NullAway") // it stands nowhere
-    static final Expression NEVER =
+    public static final Expression NEVER =
             new Expression.Constant(new Value.BooleanValue(false), TRUTH, null);
 
     /** A divisor is zero. */
@@ -120,6 +121,18 @@ record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expres
         return or(inAny(e.operands()), here.apply(e));
     }
 
+    /** A value is none of a type with a range. */
+    static Expression outside(Expression value, Type type) {
+        if (!(type instanceof Type.IntegerType integer) || !integer.ranged()) {
+            return NEVER;
+        }
+        Expression wide =
+                new Expression.Cast(value, Type.IntegerType.of(Type.Width.LONG), value.span());
+        return or(
+                compare(BinaryOperator.LESS, wide, number(integer.low(), wide)),
+                compare(BinaryOperator.GREATER, wide, number(integer.high(), wide)));
+    }
+
     private static boolean isLazy(BinaryOperator operator) {
         return operator == BinaryOperator.AND
                 || operator == BinaryOperator.OR
@@ -131,7 +144,7 @@ record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expres
                 e instanceof Expression.Binary binary
                         && (binary.operator() == BinaryOperator.DIVIDE
                                 || binary.operator() == BinaryOperator.REMAINDER)
-                        && Translation.isInteger(binary.type());
+                        && Interval.isInteger(binary.type());
         if (!divides) {
             return NEVER;
         }
@@ -139,16 +152,16 @@ record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expres
         return compare(BinaryOperator.EQUAL, divisor, number(0, divisor));
     }
 
-    static boolean isNever(Expression condition) {
+    public static boolean isNever(Expression condition) {
         return condition == NEVER;
     }
 
     /** A number of the type of an expression, at its place. */
-    static Expression number(long number, Expression like) {
+    public static Expression number(long number, Expression like) {
         return new Expression.Constant(new Value.IntegerValue(number), like.type(), like.span());
     }
 
-    static Expression compare(BinaryOperator operator, Expression left, Expression right) {
+    public static Expression compare(BinaryOperator operator, Expression left, Expression right) {
         return new Expression.Binary(operator, left, right, TRUTH, left.span());
     }
 
@@ -156,15 +169,15 @@ record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expres
         return new Expression.Conditional(condition, then, otherwise, TRUTH, condition.span());
     }
 
-    static Expression not(Expression e) {
+    public static Expression not(Expression e) {
         return new Expression.Unary(Expression.UnaryOperator.NOT, e, TRUTH, e.span());
     }
 
-    static Expression and(Expression left, Expression right) {
+    public static Expression and(Expression left, Expression right) {
         return isNever(right) ? right : compare(BinaryOperator.AND, left, right);
     }
 
-    static Expression or(Expression left, Expression right) {
+    public static Expression or(Expression left, Expression right) {
         if (isNever(left) || isNever(right)) {
             return isNever(left) ? right : left;
         }

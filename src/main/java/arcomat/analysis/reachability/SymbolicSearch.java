@@ -1,10 +1,12 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
-import arcomat.analysis.smt.Reachability.Reachable;
-import arcomat.analysis.smt.Reachability.Run;
-import arcomat.analysis.smt.Reachability.Unknown;
-import arcomat.analysis.smt.Reachability.Unreachable;
-import arcomat.analysis.smt.Unrolling.StatePredicate;
+import arcomat.analysis.reachability.Reachability.Reachable;
+import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.analysis.reachability.Reachability.Unknown;
+import arcomat.analysis.reachability.Reachability.Unreachable;
+import arcomat.analysis.reachability.Unrolling.StatePredicate;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -21,34 +23,38 @@ import java.util.function.BooleanSupplier;
  * configurations, wherever they come from, that do not show it, can the next one show it? If not
  * either, none ever does (k-induction: Sheeran, Singh, Stålmarck 2000). What is known to be
  * impossible helps with the rest, as do {@link Bounds} that nobody asked for.
+ *
+ * @param <T> formulas of the solver that is asked
  */
-public final class SymbolicSearch {
+public final class SymbolicSearch<T> {
     /** Longer runs are not looked for. */
-    static final int LONGEST = 12;
+    private static final int LONGEST = 12;
 
     private final BiPredicate<RunProperty, Run> confirmed;
     private final BooleanSupplier stop;
-    private final Unrolling fromStart;
-    private final Unrolling fromAnywhere;
-    private final Set<StatePredicate> bounds;
+    private final Unrolling<T> fromStart;
+    private final Unrolling<T> fromAnywhere;
+    private final Set<StatePredicate<T>> bounds = new LinkedHashSet<>();
     private final Set<RunProperty> open;
     private final Set<RunProperty> doubtful = new LinkedHashSet<>();
     private final Map<RunProperty, Reachability> answers = new LinkedHashMap<>();
 
     private SymbolicSearch(
-            Subject subject,
+            Unrolling<T> fromStart,
+            Unrolling<T> fromAnywhere,
             Collection<RunProperty> asked,
             BiPredicate<RunProperty, Run> confirmed,
             BooleanSupplier stop) {
         this.confirmed = confirmed;
         this.stop = stop;
-        this.fromStart = new Unrolling(subject, true, stop);
-        this.fromAnywhere = new Unrolling(subject, false, stop);
-        this.bounds = Bounds.candidates(subject);
+        this.fromStart = fromStart;
+        this.fromAnywhere = fromAnywhere;
         this.open = new LinkedHashSet<>(asked);
     }
 
     /**
+     * @param kinds of solvers; the next one is asked what stays open where the one before could not
+     *     say all exactly
      * @param confirmed whether the automaton itself agrees with a run that was found
      * @param stop asked now and then; what is open then stays open
      * @return for each property what is known about it
@@ -56,11 +62,45 @@ public final class SymbolicSearch {
     public static Map<RunProperty, Reachability> answer(
             Subject subject,
             Collection<RunProperty> asked,
+            List<Logic.Kind<?>> kinds,
             BiPredicate<RunProperty, Run> confirmed,
             BooleanSupplier stop) {
-        SymbolicSearch search = new SymbolicSearch(subject, asked, confirmed, stop);
-        search.run();
-        return search.answers;
+        Map<RunProperty, Reachability> answers = new LinkedHashMap<>();
+        Collection<RunProperty> open = asked;
+        boolean exact = false;
+        for (int i = 0; i < kinds.size() && !open.isEmpty() && !exact; i++) {
+            SymbolicSearch<?> search = of(subject, open, kinds.get(i), confirmed, stop);
+            search.run();
+            answers.putAll(search.answers);
+            exact = search.isExact();
+            open = asked.stream().filter(each -> isOpen(answers.get(each))).toList();
+        }
+        return answers;
+    }
+
+    private static <T> SymbolicSearch<T> of(
+            Subject subject,
+            Collection<RunProperty> asked,
+            Logic.Kind<T> kind,
+            BiPredicate<RunProperty, Run> confirmed,
+            BooleanSupplier stop) {
+        SymbolicSearch<T> search =
+                new SymbolicSearch<>(
+                        new Unrolling<>(subject, true, kind.about(subject, stop)),
+                        new Unrolling<>(subject, false, kind.about(subject, stop)),
+                        asked,
+                        confirmed,
+                        stop);
+        Bounds.candidates(subject).forEach(bound -> search.bounds.add(there -> there.holds(bound)));
+        return search;
+    }
+
+    private static boolean isOpen(@Nullable Reachability answer) {
+        return answer instanceof Unknown;
+    }
+
+    private boolean isExact() {
+        return fromStart.isExact() && fromAnywhere.isExact();
     }
 
     private void run() {
@@ -80,10 +120,10 @@ public final class SymbolicSearch {
     }
 
     /** A bound that is not kept, or that the solver cannot decide about, is of no use. */
-    private void prove(StatePredicate bound) {
-        if (fromStart.endsWith(bound, run -> {}) != Solver.Answer.NO) {
+    private void prove(StatePredicate<T> bound) {
+        if (fromStart.endsWith(bound, run -> {}) != Logic.Answer.NO) {
             bounds.remove(bound);
-        } else if (fromAnywhere.endsFirstWith(bound) == Solver.Answer.NO) {
+        } else if (fromAnywhere.endsFirstWith(bound) == Logic.Answer.NO) {
             bounds.remove(bound);
             fromAnywhere.exclude(bound);
         }
@@ -93,11 +133,11 @@ public final class SymbolicSearch {
         if (doubtful.contains(property)) {
             return;
         }
-        Solver.Answer shown = fromStart.endsWith(property::match, run -> found(property, run));
-        if (shown == Solver.Answer.UNKNOWN) {
+        Logic.Answer shown = fromStart.endsWith(property::match, run -> found(property, run));
+        if (shown == Logic.Answer.UNKNOWN) {
             doubtful.add(property);
-        } else if (shown == Solver.Answer.NO
-                && fromAnywhere.endsFirstWith(property::match) == Solver.Answer.NO) {
+        } else if (shown == Logic.Answer.NO
+                && fromAnywhere.endsFirstWith(property::match) == Logic.Answer.NO) {
             settle(property, new Unreachable());
             fromAnywhere.exclude(property::match);
         }

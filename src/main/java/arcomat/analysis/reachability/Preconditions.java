@@ -1,4 +1,4 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -19,6 +19,7 @@ import java.util.List;
  * @param wrapsInEffect an integer of what it sends and assigns does
  * @param dividesInGuard an integer is divided by zero in its guard
  * @param dividesInEffect an integer is, in what it sends and assigns
+ * @param leavesRange an integer that it sends or assigns is none of the type there
  */
 public record Preconditions(
         Expression enabled,
@@ -27,7 +28,8 @@ public record Preconditions(
         Expression wrapsInGuard,
         Expression wrapsInEffect,
         Expression dividesInGuard,
-        Expression dividesInEffect) {
+        Expression dividesInEffect,
+        Expression leavesRange) {
     public Preconditions {
         negations = List.copyOf(negations);
     }
@@ -55,7 +57,21 @@ public record Preconditions(
                 Wraparound.HAZARD.in(enabled),
                 Wraparound.HAZARD.inAny(effects),
                 Hazard.DIVISION_BY_ZERO.in(enabled),
-                Hazard.DIVISION_BY_ZERO.inAny(effects));
+                Hazard.DIVISION_BY_ZERO.inAny(effects),
+                leavesRange(transition));
+    }
+
+    private static Expression leavesRange(Automaton.Transition transition) {
+        List<Expression> any = new ArrayList<>();
+        for (Automaton.Send send : transition.sends()) {
+            send.emission()
+                    .values()
+                    .forEach(value -> any.add(Hazard.outside(value, send.port().type())));
+        }
+        for (Automaton.Assignment assignment : transition.assignments()) {
+            any.add(Hazard.outside(assignment.value(), assignment.variable().type()));
+        }
+        return any.stream().reduce(Hazard.NEVER, Hazard::or);
     }
 
     /** What a transition sends and assigns. */

@@ -1,6 +1,10 @@
 package arcomat.analysis.smt;
 
+import arcomat.analysis.reachability.Instant;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.Subject;
 import arcomat.model.Component;
+import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -11,33 +15,64 @@ import de.uni_freiburg.informatik.ultimate.logic.Term;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Where an automaton is at one point of a run, and what it reads there. */
-final class Instant implements ReadTerms {
+/** Where an automaton is at one point of a run, in linear arithmetic. */
+final class LinearInstant implements Instant<Term>, ReadTerms {
     private final Subject subject;
     private final Component component;
     private final Solver solver;
     private final Encoding codes;
+    private final Translation translation;
     private final int number;
+    private final Runnable inexact;
     private int unknowns;
     private int definitions;
 
     /**
      * @param number from 0
+     * @param inexact told where something may be anything
      */
-    Instant(Subject subject, Solver solver, Encoding codes, int number) {
+    LinearInstant(Subject subject, Solver solver, Encoding codes, int number, Runnable inexact) {
         this.subject = subject;
         this.component = subject.component();
         this.solver = solver;
         this.codes = codes;
+        this.translation = new Translation(ConstantExpressions.of(subject), this, solver, codes);
         this.number = number;
+        this.inexact = inexact;
     }
 
-    Term state() {
+    private Term state() {
         return solver.integer("state@" + number);
     }
 
-    Term isIn(int state) {
+    @Override
+    public Term isIn(int state) {
         return solver.equal(state(), solver.number(state));
+    }
+
+    @Override
+    public Term value(Expression e) {
+        return translation.term(e);
+    }
+
+    /** That holds of objects, too: each has a number, whichever that is. */
+    @Override
+    public Term areSame(Expression one, Expression other) {
+        return solver.equal(value(one), value(other));
+    }
+
+    @Override
+    public Term is(Variable variable, Value value) {
+        if (!codes.isExact(variable.type())) {
+            inexact.run();
+            return solver.of(true);
+        }
+        return solver.equal(variable(variable), codes.encode(value, variable.type()));
+    }
+
+    @Override
+    public Term is(Variable variable, Expression value, Instant<Term> there) {
+        return solver.equal(variable(variable), there.value(value));
     }
 
     @Override
@@ -61,6 +96,7 @@ final class Instant implements ReadTerms {
     /** A value that is not modelled: it may be any of its type. */
     @Override
     public Term anything(Type type) {
+        inexact.run();
         Term unknown = unknown("any " + unknowns++ + "@" + number, type);
         solver.claim(codes.range(unknown, type));
         return unknown;
@@ -76,8 +112,8 @@ final class Instant implements ReadTerms {
         return Encoding.isTruth(type) ? solver.truth(name) : solver.integer(name);
     }
 
-    /** What always holds: values are of their types, and events come one by one. */
-    Term wellFormed() {
+    @Override
+    public Term isWellTyped() {
         List<Term> all = new ArrayList<>();
         all.add(solver.between(0, state(), subject.automaton().states().size() - 1));
         for (Variable each : subject.automaton().variables()) {
@@ -87,45 +123,11 @@ final class Instant implements ReadTerms {
             all.add(codes.range(message(each), each.type()));
             has(each); // is known to the solver before it is asked
         }
-        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
-            all.add(oneEvent());
-        }
         return solver.and(all);
     }
 
-    private Term oneEvent() {
-        List<Term> one = new ArrayList<>();
-        List<Port> events = component.inputs().stream().filter(port -> !port.latched()).toList();
-        for (Port here : events) {
-            List<Term> alone = new ArrayList<>();
-            for (Port port : events) {
-                alone.add(port.equals(here) ? has(port) : solver.not(has(port)));
-            }
-            one.add(solver.and(alone));
-        }
-        return solver.or(one);
-    }
-
-    /** Latched ports do not lose their message until then. */
-    Term keepsLatched(Instant next) {
-        List<Term> kept = new ArrayList<>();
-        for (Port port : component.inputs()) {
-            if (component.profile() == Component.Profile.EVENT_DRIVEN && port.latched()) {
-                kept.add(solver.or(solver.not(has(port)), next.has(port)));
-            }
-        }
-        return solver.and(kept);
-    }
-
-    /** No port carries a message. */
-    Term silent() {
-        List<Term> all = new ArrayList<>();
-        component.inputs().forEach(port -> all.add(solver.not(has(port))));
-        return solver.and(all);
-    }
-
-    /** After the answer yes: the example's configuration. */
-    Reachability.Place place() {
+    @Override
+    public Reachability.Place place() {
         List<Value> values = new ArrayList<>();
         for (Variable each : subject.automaton().variables()) {
             values.add(codes.decode(variable(each), each.type()));
@@ -133,8 +135,8 @@ final class Instant implements ReadTerms {
         return new Reachability.Place(solver.numberOf(state()).intValue(), values);
     }
 
-    /** After the answer yes: what the example reads. */
-    Value[] letter() {
+    @Override
+    public Value[] letter() {
         List<Port> inputs = component.inputs();
         Value[] letter = new Value[inputs.size()];
         for (int i = 0; i < letter.length; i++) {

@@ -1,11 +1,11 @@
-package arcomat.analysis.smt;
+package arcomat.analysis.reachability;
 
-import static arcomat.analysis.smt.Hazard.and;
-import static arcomat.analysis.smt.Hazard.choose;
-import static arcomat.analysis.smt.Hazard.compare;
-import static arcomat.analysis.smt.Hazard.not;
-import static arcomat.analysis.smt.Hazard.number;
-import static arcomat.analysis.smt.Hazard.or;
+import static arcomat.analysis.reachability.Hazard.and;
+import static arcomat.analysis.reachability.Hazard.choose;
+import static arcomat.analysis.reachability.Hazard.compare;
+import static arcomat.analysis.reachability.Hazard.not;
+import static arcomat.analysis.reachability.Hazard.number;
+import static arcomat.analysis.reachability.Hazard.or;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;

@@ -1,0 +1,117 @@
+package arcomat.analysis.reachability;
+
+import arcomat.analysis.reachability.Reachability.Place;
+import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.automaton.StepRelation.Start;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * All runs of one automaton up to some length, from a beginning or from anywhere, as claims to a
+ * solver. On the way nothing goes wrong.
+ *
+ * @param <T> formulas of the solver
+ */
+final class Unrolling<T> {
+    private final Subject subject;
+    private final boolean begins;
+    private final Logic<T> logic;
+    private final List<SymbolicTransitions<T>> transitions = new ArrayList<>();
+    private final List<StatePredicate<T>> impossible = new ArrayList<>();
+
+    /**
+     * What is so or not at an instant.
+     *
+     * @param <T> formulas of the solver
+     */
+    interface StatePredicate<T> {
+        T at(SymbolicTransitions<T> there);
+    }
+
+    /**
+     * @param begins whether runs start with a beginning of the automaton; else anywhere
+     */
+    Unrolling(Subject subject, boolean begins, Logic<T> logic) {
+        this.subject = subject;
+        this.begins = begins;
+        this.logic = logic;
+    }
+
+    boolean isExact() {
+        return logic.isExact();
+    }
+
+    /** Makes the runs one letter longer; at first, they have none. */
+    void extend() {
+        SymbolicTransitions<T> next = new SymbolicTransitions<>(subject, logic, logic.instant());
+        transitions.add(next);
+        logic.claim(next.wellFormed());
+        if (transitions.size() > 1) {
+            step(transitions.get(transitions.size() - 2), next.instant());
+        } else if (begins) {
+            List<Start> starts = subject.relation().starts();
+            logic.claim(
+                    logic.or(starts.stream().map(start -> begins(start, next.instant())).toList()));
+        }
+        impossible.forEach(known -> claimNever(known, next));
+    }
+
+    private void step(SymbolicTransitions<T> before, Instant<T> next) {
+        logic.claim(before.keepsLatched(next));
+        List<T> steps = new ArrayList<>();
+        for (int i = 0; i < subject.automaton().transitions().size(); i++) {
+            steps.add(before.step(i, next));
+        }
+        logic.claim(logic.or(steps));
+    }
+
+    private T begins(Start start, Instant<T> first) {
+        List<T> all = new ArrayList<>();
+        all.add(first.isIn(start.configuration().state()));
+        List<Variable> variables = subject.automaton().variables();
+        for (int i = 0; i < variables.size(); i++) {
+            all.add(first.is(variables.get(i), start.configuration().variables().get(i)));
+        }
+        return logic.and(all);
+    }
+
+    /** It is known that no configuration shows it. */
+    void exclude(StatePredicate<T> shown) {
+        impossible.add(shown);
+        transitions.forEach(instant -> claimNever(shown, instant));
+    }
+
+    private void claimNever(StatePredicate<T> shown, SymbolicTransitions<T> there) {
+        logic.claim(logic.not(shown.at(there)));
+    }
+
+    /** Whether the end of a run shows it; if so, looks at an example. */
+    Logic.Answer endsWith(StatePredicate<T> shown, Consumer<Run> example) {
+        T atEnd = shown.at(transitions.get(transitions.size() - 1));
+        return logic.assuming(List.of(atEnd), () -> example.accept(run()));
+    }
+
+    /** Whether the end of a run may be the first to show it. */
+    Logic.Answer endsFirstWith(StatePredicate<T> shown) {
+        int last = transitions.size() - 1;
+        List<T> assumed = new ArrayList<>();
+        for (int i = 0; i < last; i++) {
+            assumed.add(logic.not(shown.at(transitions.get(i))));
+        }
+        assumed.add(shown.at(transitions.get(last)));
+        return logic.assuming(assumed, () -> {});
+    }
+
+    /** After the answer yes: the example's run, with the letter at its end. */
+    private Run run() {
+        List<Instant<T>> instants = transitions.stream().map(SymbolicTransitions::instant).toList();
+        List<Place> places = instants.stream().map(Instant::place).toList();
+        List<Value[]> letters = instants.stream().map(Instant::letter).toList();
+        int last = letters.size() - 1;
+        return new Run(letters.subList(0, last), places, letters.get(last));
+    }
+}
