@@ -7,7 +7,7 @@ component BadSum {
     variable Integer total = 0;
     initial adding;
     adding [more > 0] / {total = total + more, sum = total};
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in adding (total = 1) on {more = 2147483647} an integer overflows and wraps around; give ports and variables ranges
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in adding (total = 2) on {more = 2147483647} an integer overflows and wraps around; give ports and variables ranges
   }
 }
 

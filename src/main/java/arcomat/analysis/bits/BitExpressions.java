@@ -6,6 +6,7 @@ import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Interval;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.HashMap;
@@ -13,22 +14,26 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 
 /**
- * Expressions over the messages of a letter, each of which is there, in bits: exactly as the
- * interpreter has them, but for {@link UnknownResults}. Truth values are one bit; constants of
- * enumerations and characters are their positions, numbers of floating point what Java has in
- * memory, texts have {@linkplain TextCodes numbers of their own}.
+ * Expressions at one point of a run, in bits: exactly as the interpreter has them, but for {@link
+ * UnknownResults}. Truth values are one bit; constants of enumerations and characters are their
+ * positions, numbers of floating point what Java has in memory, texts have {@linkplain TextCodes
+ * numbers of their own}.
  */
 final class BitExpressions implements Expression.SomeCases<int[]> {
     private final Circuit circuit;
-    private final TextCodes texts = new TextCodes();
+    private final TextCodes texts;
+    private final BitReads reads;
     private final UnknownResults unknown = new UnknownResults();
     private final Map<String, int[]> messages = new HashMap<>();
     private final Map<Expression, int[]> known = new IdentityHashMap<>();
 
-    BitExpressions(Circuit circuit) {
+    BitExpressions(Circuit circuit, TextCodes texts, BitReads reads) {
         this.circuit = circuit;
+        this.texts = texts;
+        this.reads = reads;
     }
 
     /**
@@ -37,10 +42,18 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     int[] bits(Expression e) {
         int[] bits = known.get(e);
         if (bits == null) {
-            bits = e.match(this);
+            bits = said(e);
             known.put(e, bits);
         }
         return bits;
+    }
+
+    private int[] said(Expression e) {
+        try {
+            return e.match(this);
+        } catch (GivenUp noBits) {
+            return reads.instead(e, noBits);
+        }
     }
 
     int truth(Expression condition) {
@@ -67,7 +80,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     /** Of a type with a range only so many bits are open as it takes; the others are its sign. */
-    private int[] any(Type type) {
+    int[] any(Type type) {
         BitCodes codes = codes(type);
         return Circuit.resized(
                 circuit.input(Math.min(codes.needed(), codes.width())), codes.width());
@@ -111,7 +124,18 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         return isReal ? Optional.of(reals((Type.RealType) one.type())) : Optional.empty();
     }
 
-    private static GivenUp noBits(Expression e) {
+    /** The value that bits stand for, of which it is known whether they are true. */
+    Value meaning(int[] bits, Type type, IntPredicate isTrue) {
+        long number = 0;
+        for (int i = 0; i < bits.length; i++) {
+            if (isTrue.test(bits[i])) {
+                number |= 1L << i;
+            }
+        }
+        return codes(type).meaning().apply(bits.length == Integer.SIZE ? (int) number : number);
+    }
+
+    static GivenUp noBits(Expression e) {
         return new GivenUp("there are no bits for '%s'".formatted(ExpressionText.of(e)));
     }
 
@@ -131,14 +155,25 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     @Override
+    public int[] variableRead(Expression.VariableRead read) {
+        return reads.variable(read);
+    }
+
+    @Override
+    public int[] parameterRead(Expression.ParameterRead read) {
+        return value(reads.argument(read), read.type());
+    }
+
+    @Override
     public int[] portMatches(Expression.PortMatches matches) {
         Expression read = new Expression.PortRead(matches.port(), matches.span());
+        int has = reads.has(circuit, matches.port());
         return one(
                 matches.pattern()
                         .match(
-                                oneOf -> isIn(read, oneOf.values()),
-                                () -> circuit.of(false),
-                                () -> circuit.of(true)));
+                                oneOf -> circuit.and(has, isIn(read, oneOf.values())),
+                                () -> -has,
+                                () -> has));
     }
 
     @Override
@@ -169,16 +204,31 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
      * Whether they are the same message: two zeros are two messages, and what is no number is one.
      */
     int areSame(Expression one, Expression other) {
-        if (reals(one, other).isPresent()) {
-            return circuit.areEqual(bits(one), bits(other));
-        }
+        requireAlike(one.type(), other);
         int[] a = bits(one);
         int[] b = bits(other);
-        if ((a.length == 1) != (b.length == 1) || isText(one.type()) != isText(other.type())) {
-            throw noBits(one);
-        }
         int width = Math.max(a.length, b.length);
         return circuit.areEqual(Circuit.resized(a, width), Circuit.resized(b, width));
+    }
+
+    /**
+     * That codes of an expression can be compared with those of a type.
+     *
+     * @throws GivenUp where they cannot
+     */
+    static void requireAlike(Type type, Expression other) {
+        boolean alike =
+                type.equals(other.type())
+                        || isCounted(type) && isCounted(other.type())
+                        || type instanceof Type.EnumType && other.type() instanceof Type.EnumType;
+        if (!alike) {
+            throw noBits(other);
+        }
+    }
+
+    /** Characters count as their codes. */
+    private static boolean isCounted(Type type) {
+        return Interval.isInteger(type);
     }
 
     private static boolean isText(Type type) {

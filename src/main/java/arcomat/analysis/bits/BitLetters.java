@@ -42,7 +42,8 @@ public final class BitLetters {
     private final BooleanSupplier stop;
     private final CheckedSolver solver = new CheckedSolver(this::insist);
     private final Circuit circuit = new Circuit(solver.clauses());
-    private final BitExpressions expressions = new BitExpressions(circuit);
+    private final BitExpressions expressions =
+            new BitExpressions(circuit, new TextCodes(), BitReads.OF_LETTER);
     private long workBefore;
 
     /**
@@ -209,15 +210,6 @@ public final class BitLetters {
     }
 
     private Value value(int[] bits, Type type) {
-        long number = 0;
-        for (int i = 0; i < bits.length; i++) {
-            if (solver.isTrue(bits[i])) {
-                number |= 1L << i;
-            }
-        }
-        return expressions
-                .codes(type)
-                .meaning()
-                .apply(bits.length == Integer.SIZE ? (int) number : number);
+        return expressions.meaning(bits, type, solver::isTrue);
     }
 }

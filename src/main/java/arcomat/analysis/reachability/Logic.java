@@ -42,10 +42,13 @@ public interface Logic<T> {
     /** From now on it is true. */
     void claim(T condition);
 
+    /** Whether all that was claimed can be true if some formulas are; these are forgotten again. */
+    Answer assuming(List<T> conditions);
+
     /**
-     * Whether all that was claimed can be true if some formulas are; these are forgotten again.
+     * As above.
      *
-     * @param ifYes may look at the example
+     * @param ifYes may look at an example, which is easy to read if it can be
      */
     Answer assuming(List<T> conditions, Runnable ifYes);
 

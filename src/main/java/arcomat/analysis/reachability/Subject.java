@@ -3,6 +3,7 @@ package arcomat.analysis.reachability;
 import arcomat.graph.Digraph;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
@@ -58,6 +59,12 @@ public record Subject(
         return type instanceof Type.IntegerType integer
                 ? integer.ranged()
                 : SmallType.values(type).isPresent();
+    }
+
+    /** Whether a port carries a message whenever the automaton is asked for a step. */
+    public boolean isAlwaysThere(Port port) {
+        boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return timed && port.total() || port.first().isPresent();
     }
 
     /** The states that transitions lead to from a beginning, whatever their guards say. */

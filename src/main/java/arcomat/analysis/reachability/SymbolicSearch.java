@@ -104,7 +104,7 @@ public final class SymbolicSearch<T> {
     }
 
     private void run() {
-        for (int length = 0; length <= LONGEST && !open.isEmpty(); length++) {
+        for (int length = 0; length <= LONGEST && !doubtful.containsAll(open); length++) {
             fromStart.extend();
             fromAnywhere.extend();
             List.copyOf(bounds).forEach(this::prove);
@@ -121,7 +121,7 @@ public final class SymbolicSearch<T> {
 
     /** A bound that is not kept, or that the solver cannot decide about, is of no use. */
     private void prove(StatePredicate<T> bound) {
-        if (fromStart.endsWith(bound, run -> {}) != Logic.Answer.NO) {
+        if (fromStart.endsWith(bound) != Logic.Answer.NO) {
             bounds.remove(bound);
         } else if (fromAnywhere.endsFirstWith(bound) == Logic.Answer.NO) {
             bounds.remove(bound);

@@ -95,6 +95,11 @@ final class Unrolling<T> {
         return logic.assuming(List.of(atEnd), () -> example.accept(run()));
     }
 
+    /** Whether the end of a run shows it. */
+    Logic.Answer endsWith(StatePredicate<T> shown) {
+        return logic.assuming(List.of(shown.at(transitions.get(transitions.size() - 1))));
+    }
+
     /** Whether the end of a run may be the first to show it. */
     Logic.Answer endsFirstWith(StatePredicate<T> shown) {
         int last = transitions.size() - 1;
@@ -103,7 +108,7 @@ final class Unrolling<T> {
             assumed.add(logic.not(shown.at(transitions.get(i))));
         }
         assumed.add(shown.at(transitions.get(last)));
-        return logic.assuming(assumed, () -> {});
+        return logic.assuming(assumed);
     }
 
     /** After the answer yes: the example's run, with the letter at its end. */

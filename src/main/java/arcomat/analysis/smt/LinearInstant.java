@@ -87,8 +87,7 @@ final class LinearInstant implements Instant<Term>, ReadTerms {
 
     @Override
     public Term has(Port port) {
-        boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
-        return timed && port.total() || port.first().isPresent()
+        return subject.isAlwaysThere(port)
                 ? solver.of(true)
                 : solver.truth("has " + port.name() + "@" + number);
     }

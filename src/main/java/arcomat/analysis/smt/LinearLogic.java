@@ -55,6 +55,11 @@ public final class LinearLogic implements Logic<Term> {
     }
 
     @Override
+    public Answer assuming(List<Term> conditions) {
+        return solver.assuming(conditions, () -> {});
+    }
+
+    @Override
     public Answer assuming(List<Term> conditions, Runnable ifYes) {
         return solver.assuming(conditions, ifYes);
     }

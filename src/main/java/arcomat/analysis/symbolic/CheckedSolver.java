@@ -2,6 +2,7 @@ package arcomat.analysis.symbolic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Whether clauses can be satisfied, of which more may come after each question. It is not believed
@@ -12,6 +13,7 @@ public final class CheckedSolver {
     private final List<int[]> conclusions = new ArrayList<>();
     private final SatSolver solver;
     private final Runnable between;
+    private final UnitPropagation check = new UnitPropagation();
     private int variables;
     private int told;
 
@@ -49,7 +51,25 @@ public final class CheckedSolver {
 
     /** Whether the conclusions so far prove that they cannot. */
     boolean isConclusive() {
-        return new UnitPropagation(clauses).refutes(conclusions, between);
+        return check.refutes(clauses, conclusions, between);
+    }
+
+    /**
+     * Whether they can, together with some literals; nothing where that takes more work than so
+     * much.
+     */
+    public Optional<Boolean> answer(long most, int... literals) {
+        tell();
+        Optional<Boolean> answer = solver.answer(solver.work() + most, literals);
+        if (answer.isPresent() && !answer.get() && !excludes(literals)) {
+            throw new IllegalStateException("a solver has drawn a wrong conclusion");
+        }
+        return answer;
+    }
+
+    /** Whether the conclusions so far prove that some literals cannot be true together. */
+    boolean excludes(int... literals) {
+        return check.excludes(clauses, conclusions, literals, between);
     }
 
     /** Whether they can, together with some literals. That they cannot is not checked. */

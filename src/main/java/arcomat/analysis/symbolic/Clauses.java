@@ -75,6 +75,10 @@ public final class Clauses {
         return Collections.unmodifiableList(all);
     }
 
+    public int size() {
+        return all.size();
+    }
+
     int variables() {
         return variables;
     }

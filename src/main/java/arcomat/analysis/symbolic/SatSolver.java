@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -135,7 +136,7 @@ public final class SatSolver {
 
     /** Whether all clauses can be true, together with some literals. */
     public boolean solve(int... assumptions) {
-        return solve(Long.MAX_VALUE, assumptions);
+        return answer(Long.MAX_VALUE, assumptions).orElseThrow();
     }
 
     /**
@@ -143,10 +144,11 @@ public final class SatSolver {
      * said.
      */
     boolean finds(long most, int... assumptions) {
-        return solve(work + most, assumptions);
+        return answer(work + most, assumptions).orElse(false);
     }
 
-    private boolean solve(long until, int[] assumptions) {
+    /** Whether all clauses can be true; nothing where that takes more work than until then. */
+    Optional<Boolean> answer(long until, int... assumptions) {
         core = new int[0];
         backTo(0);
         int conflicts = 0;
@@ -164,18 +166,18 @@ public final class SatSolver {
                 backTo(0);
                 forget();
                 if (work > until) {
-                    return false;
+                    return Optional.empty();
                 }
             } else if (limits.size() < assumptions.length) {
                 if (!assume(own(assumptions[limits.size()]))) {
-                    return false;
+                    return Optional.of(false);
                 }
             } else if (!decide()) {
                 remember();
-                return true;
+                return Optional.of(true);
             }
         }
-        return false;
+        return Optional.of(false);
     }
 
     /** The sequence 1 1 2 1 1 2 4 .. (Luby, Sinclair, Zuckerman 1993), from 0 on. */

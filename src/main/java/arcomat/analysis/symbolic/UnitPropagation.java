@@ -15,10 +15,10 @@ final class UnitPropagation {
     private final List<List<int[]>> watching = new ArrayList<>();
 
     /** Per literal. */
-    private final boolean[] isTrue;
+    private boolean[] isTrue = {};
 
     /** Per literal, while a clause is read. */
-    private final boolean[] isMet;
+    private boolean[] isMet = {};
 
     private final IntArrayList trail = new IntArrayList();
     private int done;
@@ -26,29 +26,46 @@ final class UnitPropagation {
     /** What has been shown to be wrong whatever is assumed. */
     private boolean refuted;
 
-    UnitPropagation(Clauses clauses) {
-        int literals = 2 * clauses.variables() + 2;
-        isTrue = new boolean[literals];
-        isMet = new boolean[literals];
-        for (int i = 0; i < literals; i++) {
-            watching.add(new ArrayList<>());
-        }
-        clauses.all().forEach(this::add);
+    /** What it has been told. */
+    private int clausesTold;
+
+    private int conclusionsTold;
+
+    /**
+     * Whether the conclusions follow one after the other, and the last one cannot be. More clauses
+     * and conclusions may come after each question.
+     */
+    boolean refutes(Clauses clauses, List<int[]> conclusions, Runnable between) {
+        return accepts(clauses, conclusions, between) && refuted;
     }
 
-    /** Whether the conclusions follow one after the other, and the last one cannot be. */
-    boolean refutes(List<int[]> conclusions, Runnable between) {
-        for (int[] clause : conclusions) {
+    /** Whether the conclusions follow, and from them that some literals cannot all be true. */
+    boolean excludes(Clauses clauses, List<int[]> conclusions, int[] literals, Runnable between) {
+        return accepts(clauses, conclusions, between)
+                && follows(Arrays.stream(literals).map(literal -> -literal).toArray());
+    }
+
+    private boolean accepts(Clauses clauses, List<int[]> conclusions, Runnable between) {
+        grow(2 * clauses.variables() + 2);
+        for (; clausesTold < clauses.all().size(); clausesTold++) {
+            add(clauses.all().get(clausesTold));
+        }
+        for (; conclusionsTold < conclusions.size() && !refuted; conclusionsTold++) {
             between.run();
-            if (refuted) {
-                return true;
-            }
-            if (!follows(clause)) {
+            if (!follows(conclusions.get(conclusionsTold))) {
                 return false;
             }
-            add(clause);
+            add(conclusions.get(conclusionsTold));
         }
-        return refuted;
+        return true;
+    }
+
+    private void grow(int literals) {
+        isTrue = Arrays.copyOf(isTrue, Math.max(isTrue.length, literals));
+        isMet = Arrays.copyOf(isMet, isTrue.length);
+        while (watching.size() < literals) {
+            watching.add(new ArrayList<>());
+        }
     }
 
     private static int place(int literal) {
@@ -66,7 +83,7 @@ final class UnitPropagation {
     /** Whether the contrary leads to a contradiction. */
     private boolean follows(int[] clause) {
         int start = trail.size();
-        boolean contradicts = false;
+        boolean contradicts = refuted;
         for (int literal : clause) {
             contradicts |= isTrue(literal);
             if (!contradicts && !isFalse(literal)) {

@@ -7,6 +7,8 @@ import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.RunProperties;
 import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.bits.BitLogic;
+import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
@@ -121,8 +123,8 @@ class NaiveAgreementTest {
 
     /** What the solver answers is what trying everything answers, with runs that are as short. */
     @Property(seed = "2", tries = 25)
-    void solverAgrees(@ForAll("automata") String text) {
-        for (Reachability outcome : agreed(text)) {
+    void solverAgrees(@ForAll("automata") String text, @ForAll("solvers") Logic.Kind<?> solver) {
+        for (Reachability outcome : agreed(text, solver)) {
             Statistics.label("outcome")
                     .collect(outcome.getClass().getSimpleName())
                     .coverage(
@@ -136,8 +138,9 @@ class NaiveAgreementTest {
 
     /** Divisors with too many values for cases. */
     @Property(seed = "3", tries = 15)
-    void solverAgreesAboutDivisions(@ForAll("divisions") String text) {
-        for (Reachability outcome : agreed(text)) {
+    void solverAgreesAboutDivisions(
+            @ForAll("divisions") String text, @ForAll("solvers") Logic.Kind<?> solver) {
+        for (Reachability outcome : agreed(text, solver)) {
             Statistics.label("outcome of division")
                     .collect(outcome.getClass().getSimpleName())
                     .coverage(all -> all.check("Unreachable").percentage(share -> share > 25));
@@ -146,8 +149,9 @@ class NaiveAgreementTest {
 
     /** Integers that wrap around, of 8 to 64 bits. */
     @Property(seed = "4", tries = 20)
-    void solverAgreesAboutWrapping(@ForAll("wrapping") String text) {
-        for (Reachability outcome : agreed(text)) {
+    void solverAgreesAboutWrapping(
+            @ForAll("wrapping") String text, @ForAll("solvers") Logic.Kind<?> solver) {
+        for (Reachability outcome : agreed(text, solver)) {
             Statistics.label("outcome of wrapping")
                     .collect(outcome.getClass().getSimpleName())
                     .coverage(
@@ -159,7 +163,7 @@ class NaiveAgreementTest {
         }
     }
 
-    private static Collection<Reachability> agreed(String text) {
+    private static Collection<Reachability> agreed(String text, Logic.Kind<?> solver) {
         Component component =
                 ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
@@ -174,7 +178,7 @@ class NaiveAgreementTest {
                 SymbolicSearch.answer(
                         subject,
                         new RunProperties(subject).all(),
-                        List.of(LinearLogic.KIND),
+                        List.of(solver),
                         (question, run) -> confirmation.of(question, run).isPresent(),
                         () -> false);
 
@@ -217,6 +221,11 @@ class NaiveAgreementTest {
             }
         }
         return shown;
+    }
+
+    @Provide
+    Arbitrary<Logic.Kind<?>> solvers() {
+        return Arbitraries.of(LinearLogic.KIND, BitLogic.KIND);
     }
 
     @Provide

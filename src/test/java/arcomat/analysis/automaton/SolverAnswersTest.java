@@ -6,6 +6,8 @@ import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.RunProperties;
 import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.bits.BitLogic;
+import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
@@ -30,11 +32,14 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * What the solver answers to some questions about automata: the number of letters of a shortest
- * run, {@code never}, or why it is open. Where trying comes to an end, it says the same.
+ * What the solvers answer to some questions about automata: the number of letters of a shortest
+ * run, {@code never}, or why it is open. Where trying comes to an end, it says the same, and so
+ * does each of them alone.
  */
 class SolverAnswersTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/solver.txt");
+
+    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
 
     @TestFactory
     Stream<DynamicTest> answers() {
@@ -64,21 +69,35 @@ class SolverAnswersTest {
                 asked.put(words, question);
             }
         }
-        Map<RunProperty, Reachability> outcomes = outcomes(subject, asked.values());
+        Map<RunProperty, Reachability> outcomes = outcomes(subject, asked.values(), SOLVERS);
         List<String> lines = new ArrayList<>();
         asked.forEach(
                 (words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
         assertThat(lines).containsExactlyElementsOf(expected.stream().map(String::strip).toList());
         compareWithTrying(subject, outcomes);
+        for (Logic.Kind<?> solver : SOLVERS) {
+            compare(outcomes(subject, asked.values(), List.of(solver)), outcomes);
+        }
+    }
+
+    /** What one solver says alone is what they say one after the other. */
+    private static void compare(
+            Map<RunProperty, Reachability> alone, Map<RunProperty, Reachability> together) {
+        alone.forEach(
+                (question, outcome) -> {
+                    if (!(outcome instanceof Reachability.Unknown)) {
+                        assertThat(answer(outcome)).isEqualTo(answer(together.get(question)));
+                    }
+                });
     }
 
     private static Map<RunProperty, Reachability> outcomes(
-            Subject subject, Collection<RunProperty> asked) {
+            Subject subject, Collection<RunProperty> asked, List<Logic.Kind<?>> solvers) {
         Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
         return SymbolicSearch.answer(
                 subject,
                 asked,
-                List.of(LinearLogic.KIND),
+                solvers,
                 (question, run) -> confirmation.of(question, run).isPresent(),
                 () -> false);
     }

@@ -52,7 +52,7 @@ class SatSolverTest {
             List<int[]> proof = new ArrayList<>();
             if (!clauses.into(new SatSolver(proof::add)).solve()) {
                 refuted++;
-                assertThat(new UnitPropagation(clauses).refutes(proof, () -> {})).isTrue();
+                assertThat(new UnitPropagation().refutes(clauses, proof, () -> {})).isTrue();
             }
         }
         assertThat(refuted).isGreaterThan(FORMULAS / 8);
@@ -66,12 +66,12 @@ class SatSolverTest {
         int other = clauses.variable();
         clauses.add(one, other);
         List<int[]> wrong = List.of(new int[] {one}, new int[] {-one}, new int[0]);
-        assertThat(new UnitPropagation(clauses).refutes(wrong, () -> {})).isFalse();
+        assertThat(new UnitPropagation().refutes(clauses, wrong, () -> {})).isFalse();
         clauses.add(one, -other);
         clauses.add(-one, other);
-        assertThat(new UnitPropagation(clauses).refutes(wrong, () -> {})).isFalse();
+        assertThat(new UnitPropagation().refutes(clauses, wrong, () -> {})).isFalse();
         clauses.add(-one, -other);
-        assertThat(new UnitPropagation(clauses).refutes(wrong, () -> {})).isTrue();
+        assertThat(new UnitPropagation().refutes(clauses, wrong, () -> {})).isTrue();
     }
 
     private static Clauses clauses(Random random, int variables, int count) {

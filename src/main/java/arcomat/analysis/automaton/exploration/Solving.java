@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton.exploration;
 
+import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
@@ -24,7 +25,7 @@ public final class Solving {
     /** How often the solver may ask whether to go on; the same on every machine. */
     private static final long PATIENCE = 30_000;
 
-    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND);
+    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
 
     private final Subject subject;
     private final Consumer<Situation> watching;

@@ -1,0 +1,237 @@
+package arcomat.analysis.bits;
+
+import arcomat.analysis.reachability.Instant;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.Subject;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.value.GivenUp;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.IntPredicate;
+import java.util.function.IntSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * Where an automaton is at one point of a run, in bits. Objects may be anything, as may what has no
+ * circuit.
+ */
+final class BitInstant implements Instant<int[]>, BitReads {
+    private final Subject subject;
+    private final Circuit circuit;
+    private final BitExpressions expressions;
+    private final IntPredicate isTrue;
+    private final Runnable inexact;
+    private final int[] states;
+    private final Map<String, int[]> variables = new HashMap<>();
+    private final Map<String, int[]> objects = new HashMap<>();
+    private final Map<String, Integer> present = new HashMap<>();
+
+    /**
+     * @param states one literal per state, of which one is true
+     * @param isTrue after the answer yes: of a literal, in the example
+     * @param inexact told where something may be anything
+     */
+    BitInstant(
+            Subject subject,
+            Circuit circuit,
+            TextCodes texts,
+            int[] states,
+            IntPredicate isTrue,
+            Runnable inexact) {
+        this.subject = subject;
+        this.circuit = circuit;
+        this.expressions = new BitExpressions(circuit, texts, this);
+        this.isTrue = isTrue;
+        this.inexact = inexact;
+        this.states = states;
+        for (Variable variable : subject.automaton().variables()) {
+            variables.put(variable.name(), any(variable.type()));
+        }
+        for (Port port : subject.component().inputs()) {
+            boolean always = subject.isAlwaysThere(port);
+            present.put(port.name(), always ? circuit.of(true) : circuit.input(1)[0]);
+        }
+    }
+
+    private int[] any(Type type) {
+        try {
+            return expressions.any(type);
+        } catch (GivenUp noBits) {
+            inexact.run();
+            return circuit.input(Integer.SIZE);
+        }
+    }
+
+    /** Whether what has been said so far is exact. */
+    boolean isExact() {
+        return expressions.unknown().all().isEmpty();
+    }
+
+    @Override
+    public int[] isIn(int state) {
+        return truth(states[state]);
+    }
+
+    private static int[] truth(int literal) {
+        return new int[] {literal};
+    }
+
+    @Override
+    public int[] has(Port port) {
+        return truth(has(circuit, port));
+    }
+
+    @Override
+    public int has(Circuit same, Port port) {
+        return Objects.requireNonNull(present.get(port.name()));
+    }
+
+    /** What is no variable of the automaton is a constant of the component. */
+    @Override
+    public int[] variable(Expression.VariableRead read) {
+        int[] bits = variables.get(read.variable().name());
+        return bits != null ? bits : value(read.variable().initial());
+    }
+
+    @Override
+    public Value argument(Expression.ParameterRead read) {
+        int position = 0;
+        while (!parameter(position).equals(read.parameter().name())) {
+            position++;
+        }
+        return subject.arguments().get(position);
+    }
+
+    private String parameter(int position) {
+        return subject.component().parameters().get(position).name();
+    }
+
+    /** An object may be any, but is the same wherever it is read. */
+    @Override
+    public int[] instead(Expression e, GivenUp noBits) {
+        inexact.run();
+        return e instanceof Expression.PortRead read
+                ? objects.computeIfAbsent(read.port().name(), port -> any(e.type()))
+                : any(e.type());
+    }
+
+    @Override
+    public int[] value(Expression e) {
+        return expressions.bits(e);
+    }
+
+    @Override
+    public int[] areSame(Expression one, Expression other) {
+        try {
+            return truth(expressions.areSame(one, other));
+        } catch (GivenUp noBits) {
+            inexact.run();
+            return circuit.input(1);
+        }
+    }
+
+    @Override
+    public int[] is(Variable variable, Value value) {
+        return claim(
+                () -> circuit.areEqual(bits(variable), expressions.value(value, variable.type())));
+    }
+
+    private int[] bits(Variable variable) {
+        return Objects.requireNonNull(variables.get(variable.name()));
+    }
+
+    /** What cannot be said is not claimed. */
+    private int[] claim(IntSupplier said) {
+        try {
+            return truth(said.getAsInt());
+        } catch (GivenUp noBits) {
+            inexact.run();
+            return truth(circuit.of(true));
+        }
+    }
+
+    @Override
+    public int[] is(Variable variable, Expression value, Instant<int[]> there) {
+        int[] bits = there.value(value);
+        return claim(
+                () -> {
+                    BitExpressions.requireAlike(variable.type(), value);
+                    int width = Math.max(bits.length, bits(variable).length);
+                    return circuit.areEqual(
+                            Circuit.resized(bits(variable), width), Circuit.resized(bits, width));
+                });
+    }
+
+    @Override
+    public int[] isWellTyped() {
+        int all = circuit.of(true);
+        for (Variable variable : subject.automaton().variables()) {
+            all = circuit.and(all, isOf(bits(variable), variable.type()));
+        }
+        for (Port port : subject.component().inputs()) {
+            all = circuit.and(all, isOf(message(port), port.type()));
+        }
+        return truth(all);
+    }
+
+    private int isOf(int[] bits, Type type) {
+        return claim(() -> expressions.isOf(bits, type))[0];
+    }
+
+    private int[] message(Port port) {
+        return value(new Expression.PortRead(port, port.span()));
+    }
+
+    /** Literals that make messages small numbers, which are easier to read. */
+    IntStream areBelow(int width) {
+        return subject.component().inputs().stream()
+                .flatMapToInt(port -> areBelow(port.type(), message(port), width));
+    }
+
+    private IntStream areBelow(Type type, int[] bits, int width) {
+        return type instanceof Type.RealType real
+                ? IntStream.of(expressions.isShort(bits, real, width))
+                : Arrays.stream(bits).skip(width).map(bit -> -bit);
+    }
+
+    @Override
+    public Reachability.Place place() {
+        int state = 0;
+        while (!isTrue.test(states[state])) {
+            state++;
+        }
+        return new Reachability.Place(
+                state,
+                subject.automaton().variables().stream()
+                        .map(each -> decoded(bits(each), each.type()))
+                        .toList());
+    }
+
+    private Value decoded(int[] bits, Type type) {
+        try {
+            return expressions.meaning(bits, type, isTrue);
+        } catch (GivenUp noBits) {
+            return type.first();
+        }
+    }
+
+    @Override
+    public @Nullable Value[] letter() {
+        return subject.component().inputs().stream()
+                .map(
+                        port ->
+                                isTrue.test(has(circuit, port))
+                                        ? decoded(message(port), port.type())
+                                        : null)
+                .toArray(Value[]::new);
+    }
+}

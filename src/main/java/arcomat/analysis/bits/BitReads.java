@@ -1,0 +1,34 @@
+package arcomat.analysis.bits;
+
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.value.GivenUp;
+
+/** What expressions find where they are evaluated, but for messages, which may be any. */
+interface BitReads {
+    /** The messages of one letter, on ports that carry one. There are no variables. */
+    BitReads OF_LETTER = new BitReads() {};
+
+    /** A literal: a port carries a message. */
+    default int has(Circuit circuit, Port port) {
+        return circuit.of(true);
+    }
+
+    default int[] variable(Expression.VariableRead read) {
+        throw BitExpressions.noBits(read);
+    }
+
+    default Value argument(Expression.ParameterRead read) {
+        throw BitExpressions.noBits(read);
+    }
+
+    /**
+     * What is taken for the value of an expression that has no bits.
+     *
+     * @throws GivenUp where nothing is
+     */
+    default int[] instead(Expression e, GivenUp noBits) {
+        throw noBits;
+    }
+}
