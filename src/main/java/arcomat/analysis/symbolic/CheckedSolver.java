@@ -68,7 +68,7 @@ public final class CheckedSolver {
     }
 
     /** Whether the conclusions so far prove that some literals cannot be true together. */
-    boolean excludes(int... literals) {
+    private boolean excludes(int... literals) {
         return check.excludes(clauses, conclusions, literals, between);
     }
 

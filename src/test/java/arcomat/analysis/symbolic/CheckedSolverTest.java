@@ -11,7 +11,7 @@ import java.util.Arrays;
 
 /** Pigeons that come one by one, each into a hole of its own. */
 class CheckedSolverTest {
-    private static final int HOLES = 4;
+    private static final int HOLES = 7;
 
     private final CheckedSolver solver = new CheckedSolver(() -> {});
 
@@ -35,6 +35,21 @@ class CheckedSolverTest {
         assertThat(solver.isTrue(first[2])).isTrue();
         assertThat(solver.isTrue(-second[2])).isTrue();
         assertThat(solver.solve()).isTrue();
+    }
+
+    @Test
+    void anAnswerTakesNoMoreWorkThanItMay() {
+        int[] first = comes(new int[0][]);
+        int[] second = comes(new int[][] {first});
+        assertThat(solver.answer(1_000, first[2], second[2])).contains(false);
+        assertThat(solver.answer(1_000, first[2], second[1])).contains(true);
+        int[][] pigeons = {first, second};
+        while (pigeons.length <= HOLES) {
+            pigeons = Arrays.copyOf(pigeons, pigeons.length + 1);
+            pigeons[pigeons.length - 1] = comes(Arrays.copyOf(pigeons, pigeons.length - 1));
+        }
+        assertThat(solver.answer(0)).as("in no time").isEmpty();
+        assertThat(solver.answer(100_000_000)).contains(false);
     }
 
     @Test

@@ -74,6 +74,26 @@ class SatSolverTest {
         assertThat(new UnitPropagation().refutes(clauses, wrong, () -> {})).isTrue();
     }
 
+    /** Nor that literals exclude each other where that does not follow; clauses may come later. */
+    @Test
+    void excludesWhatFollowsOnly() {
+        Clauses clauses = new Clauses();
+        int one = clauses.variable();
+        int other = clauses.variable();
+        clauses.add(-one, other);
+        UnitPropagation check = new UnitPropagation();
+        int[] both = {one, other};
+        int[] contrary = {one, -other};
+        assertThat(check.excludes(clauses, List.of(), contrary, () -> {})).isTrue();
+        assertThat(check.excludes(clauses, List.of(), both, () -> {})).isFalse();
+        List<int[]> conclusions = List.of(new int[] {-one});
+        assertThat(check.excludes(clauses, conclusions, both, () -> {})).isFalse();
+        int third = clauses.variable();
+        clauses.add(-one, -other, third);
+        clauses.add(-one, -third);
+        assertThat(check.excludes(clauses, conclusions, both, () -> {})).isTrue();
+    }
+
     private static Clauses clauses(Random random, int variables, int count) {
         Clauses clauses = new Clauses();
         for (int i = 0; i < variables; i++) {
