@@ -53,6 +53,9 @@ class CouplingCheckTest {
     private static final String PROVED = "proved by conditions";
     private static final int RUNS = 30;
 
+    /** Of each proof, so many changes are tried. */
+    private static final int CHANGES = 9;
+
     @TestFactory
     Stream<DynamicTest> checks() {
         return FILES.stream().flatMap(CouplingCheckTest::checks);
@@ -154,7 +157,7 @@ class CouplingCheckTest {
                     Promise right = right(model, ask);
                     Certificate proof = certificate(left, right);
                     assertThat(problem(left, right, List.of(read(proof)))).isEmpty();
-                    for (Certificate other : changed(proof)) {
+                    for (Certificate other : changed(proof).stream().limit(CHANGES).toList()) {
                         changed++;
                         refused += problem(left, right, List.of(other)).isPresent() ? 1 : 0;
                     }
