@@ -34,7 +34,7 @@ public final class Verdicts {
                 switch (verdict.answer()) {
                     case HOLDS -> simulation(verdict) + "; " + notes + explored(verdict);
                     case FAILS -> verdict.reason() + ", " + (notes.isEmpty() ? "not late" : notes);
-                    case UNKNOWN -> verdict.reason();
+                    case UNKNOWN -> verdict.reason() + "; " + notes;
                 };
         String wanted = expected.substring(Math.min(expected.length(), answer.length() + 1));
         return answer + " " + (more.contains(wanted) ? wanted : more);

@@ -2,13 +2,11 @@ package arcomat.analysis.coupling;
 
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.model.Value;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 
 /**
  * Reads comparisons: {@code left.n == right.m + 1}, {@code left.n <= 7}, {@code left.text == "on"},
@@ -47,7 +45,7 @@ final class ComparisonText {
         String[] words = text.split(" ", -1);
         Port other = variables.get(opposite ? words[0].substring(1) : words[0]);
         if (other == null) {
-            return value(text, type).map(ComparedValue::of);
+            return new ValueText(text).of(type).map(ComparedValue::of);
         }
         Optional<Long> plus =
                 switch (words.length) {
@@ -66,52 +64,8 @@ final class ComparisonText {
     }
 
     private static Optional<Long> plus(String sign, String number) {
-        return whole(number)
+        return ValueText.whole(number)
                 .filter(each -> each > 0 && (sign.equals("+") || sign.equals("-")))
                 .map(each -> sign.equals("+") ? each : -each);
-    }
-
-    private static Optional<Long> whole(String text) {
-        try {
-            return Optional.of(Long.parseLong(text));
-        } catch (NumberFormatException none) {
-            return Optional.empty();
-        }
-    }
-
-    private static Optional<Value> real(String text) {
-        try {
-            return Optional.of(new Value.RealValue(Double.parseDouble(text)));
-        } catch (NumberFormatException none) {
-            return Optional.empty();
-        }
-    }
-
-    /** A number that the type does not have is none, however near it is to one. */
-    private static Optional<Value> value(String text, Type type) {
-        if (type instanceof Type.EnumType constants) {
-            int ordinal = constants.constants().indexOf(text);
-            return ordinal < 0
-                    ? Optional.empty()
-                    : Optional.of(new Value.EnumValue(constants, ordinal));
-        }
-        if (type instanceof Type.BooleanType) {
-            return Stream.of(true, false)
-                    .filter(truth -> text.equals(String.valueOf(truth)))
-                    .<Value>map(Value.BooleanValue::new)
-                    .findFirst();
-        }
-        if (type instanceof Type.StringType) {
-            return TextLiteral.read(text, '"').map(Value.StringValue::new);
-        }
-        if (type instanceof Type.CharacterType) {
-            return TextLiteral.read(text, '\'')
-                    .filter(each -> each.length() == 1)
-                    .map(each -> new Value.CharacterValue(each.charAt(0)));
-        }
-        if (type instanceof Type.RealType) {
-            return real(text).filter(type::has);
-        }
-        return isWhole(type) ? whole(text).map(Value.IntegerValue::new) : Optional.empty();
     }
 }

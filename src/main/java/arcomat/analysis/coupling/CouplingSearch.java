@@ -48,6 +48,7 @@ public final class CouplingSearch {
     private final List<Port> variables;
     private final Map<StatePair, List<Comparison>> found = new LinkedHashMap<>();
     private final Set<StatePair> open = new LinkedHashSet<>();
+    private Optional<String> blamed = Optional.empty();
     private int questions;
 
     private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
@@ -139,8 +140,14 @@ public final class CouplingSearch {
             if (isOver() || found.get(Slice.after(mine, theirs)) == null) {
                 throw hard;
             }
+            blamed = blamed.or(() -> Optional.ofNullable(hard.getMessage()));
             keep(slice, mine, theirs);
         }
+    }
+
+    /** Why it is not known of some condition whether it is kept; empty where there is none. */
+    public Optional<String> blamed() {
+        return blamed;
     }
 
     private boolean isOver() {

@@ -15,7 +15,7 @@ import java.util.function.Predicate;
  */
 enum Relation {
     /** Both are the same message. */
-    IS("is", Optional.empty(), Type.RealType.class::isInstance),
+    IS("is", Optional.empty(), Relation::isReal),
     EQUAL(BinaryOperator.EQUAL, type -> true),
     NOT_EQUAL(BinaryOperator.NOT_EQUAL, type -> true),
     LESS(BinaryOperator.LESS, Relation::isOrdered),
@@ -49,22 +49,26 @@ enum Relation {
     Relation(Relation other) {
         this.sign = other.sign;
         this.operator = other.operator;
-        this.fits = Type.RealType.class::isInstance;
+        this.fits = Relation::isReal;
         this.denied = true;
     }
 
+    private static boolean isReal(Type type) {
+        return type instanceof Type.RealType;
+    }
+
     private static boolean isOrdered(Type type) {
-        return type instanceof Type.IntegerType || type instanceof Type.RealType;
+        return isReal(type) || type instanceof Type.IntegerType;
     }
 
     /** Whether two things of a type are the same message. */
     static Relation same(Type type) {
-        return type instanceof Type.RealType ? IS : EQUAL;
+        return isReal(type) ? IS : EQUAL;
     }
 
     /** Those by which the size of numbers of a type is told; of two opposite ones, one holds. */
     static List<Relation> orders(Type type) {
-        return type instanceof Type.RealType
+        return isReal(type)
                 ? List.of(
                         LESS,
                         GREATER,

@@ -72,7 +72,7 @@ final class CoupledRefinement {
             Promise left, Promise right, Budget budget, Consumer<String> giveUp) {
         return areFlat(left, right)
                 ? Budget.within(
-                        () -> found(left, right, budget),
+                        () -> found(left, right, budget, giveUp),
                         reason -> {
                             giveUp.accept(reason);
                             return Optional.empty();
@@ -81,12 +81,14 @@ final class CoupledRefinement {
     }
 
     private static Optional<Supplier<Certificate>> found(
-            Promise left, Promise right, Budget budget) {
+            Promise left, Promise right, Budget budget, Consumer<String> giveUp) {
         Coupling coupling = coupling(left, right);
         CouplingSearch search = CouplingSearch.of(coupling, budget::isSpent);
-        return proves(coupling, search.proposal(), budget)
-                ? Optional.of(() -> told(coupling, search, budget))
-                : Optional.empty();
+        if (proves(coupling, search.proposal(), budget)) {
+            return Optional.of(() -> told(coupling, search, budget));
+        }
+        search.blamed().ifPresent(giveUp);
+        return Optional.empty();
     }
 
     private static boolean proves(Coupling coupling, List<Entry> entries, Budget budget) {

@@ -3,7 +3,6 @@ package arcomat.analysis.bits;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.refinement.RandomQuestion;
-import arcomat.analysis.refinement.RandomRun;
 import arcomat.analysis.refinement.Sides;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;

@@ -1,8 +1,9 @@
-package arcomat.analysis.refinement;
+package arcomat.analysis.bits;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Replay;
+import arcomat.analysis.refinement.Sides;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.model.Port;
