@@ -167,7 +167,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     @Override
     public int[] portMatches(Expression.PortMatches matches) {
         Expression read = new Expression.PortRead(matches.port(), matches.span());
-        int has = reads.has(circuit, matches.port());
+        int has = reads.has(matches.port());
         return one(
                 matches.pattern()
                         .match(

@@ -24,7 +24,7 @@ import java.util.stream.IntStream;
  * Where an automaton is at one point of a run, in bits. Objects may be anything, as may what has no
  * circuit.
  */
-final class BitInstant implements Instant<int[]>, BitReads {
+final class BitInstant implements Instant<int[]> {
     private final Subject subject;
     private final Circuit circuit;
     private final BitExpressions expressions;
@@ -49,7 +49,7 @@ final class BitInstant implements Instant<int[]>, BitReads {
             Runnable inexact) {
         this.subject = subject;
         this.circuit = circuit;
-        this.expressions = new BitExpressions(circuit, texts, this);
+        this.expressions = new BitExpressions(circuit, texts, new Reads());
         this.isTrue = isTrue;
         this.inexact = inexact;
         this.states = states;
@@ -87,41 +87,47 @@ final class BitInstant implements Instant<int[]>, BitReads {
 
     @Override
     public int[] has(Port port) {
-        return truth(has(circuit, port));
+        return truth(literal(port));
     }
 
-    @Override
-    public int has(Circuit same, Port port) {
+    private int literal(Port port) {
         return Objects.requireNonNull(present.get(port.name()));
     }
 
-    /** What is no variable of the automaton is a constant of the component. */
-    @Override
-    public int[] variable(Expression.VariableRead read) {
-        int[] bits = variables.get(read.variable().name());
-        return bits != null ? bits : value(read.variable().initial());
-    }
-
-    @Override
-    public Value argument(Expression.ParameterRead read) {
-        int position = 0;
-        while (!parameter(position).equals(read.parameter().name())) {
-            position++;
+    private final class Reads implements BitReads {
+        @Override
+        public int has(Port port) {
+            return literal(port);
         }
-        return subject.arguments().get(position);
-    }
 
-    private String parameter(int position) {
-        return subject.component().parameters().get(position).name();
-    }
+        /** What is no variable of the automaton is a constant of the component. */
+        @Override
+        public int[] variable(Expression.VariableRead read) {
+            int[] bits = variables.get(read.variable().name());
+            return bits != null ? bits : value(read.variable().initial());
+        }
 
-    /** An object may be any, but is the same wherever it is read. */
-    @Override
-    public int[] instead(Expression e, GivenUp noBits) {
-        inexact.run();
-        return e instanceof Expression.PortRead read
-                ? objects.computeIfAbsent(read.port().name(), port -> any(e.type()))
-                : any(e.type());
+        @Override
+        public Value argument(Expression.ParameterRead read) {
+            int position = 0;
+            while (!parameter(position).equals(read.parameter().name())) {
+                position++;
+            }
+            return subject.arguments().get(position);
+        }
+
+        private String parameter(int position) {
+            return subject.component().parameters().get(position).name();
+        }
+
+        /** An object may be any, but is the same wherever it is read. */
+        @Override
+        public int[] instead(Expression e, GivenUp noBits) {
+            inexact.run();
+            return e instanceof Expression.PortRead read
+                    ? objects.computeIfAbsent(read.port().name(), port -> any(e.type()))
+                    : any(e.type());
+        }
     }
 
     @Override
@@ -229,7 +235,7 @@ final class BitInstant implements Instant<int[]>, BitReads {
         return subject.component().inputs().stream()
                 .map(
                         port ->
-                                isTrue.test(has(circuit, port))
+                                isTrue.test(literal(port))
                                         ? decoded(message(port), port.type())
                                         : null)
                 .toArray(Value[]::new);

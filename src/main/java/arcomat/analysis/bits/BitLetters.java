@@ -43,7 +43,7 @@ public final class BitLetters {
     private final CheckedSolver solver = new CheckedSolver(this::insist);
     private final Circuit circuit = new Circuit(solver.clauses());
     private final BitExpressions expressions =
-            new BitExpressions(circuit, new TextCodes(), BitReads.OF_LETTER);
+            new BitExpressions(circuit, new TextCodes(), port -> circuit.of(true));
     private long workBefore;
 
     /**

@@ -5,15 +5,13 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.value.GivenUp;
 
-/** What expressions find where they are evaluated, but for messages, which may be any. */
+/**
+ * What expressions find where they are evaluated, but for messages, which may be any. In a letter,
+ * there are neither variables nor parameters.
+ */
 interface BitReads {
-    /** The messages of one letter, on ports that carry one. There are no variables. */
-    BitReads OF_LETTER = new BitReads() {};
-
     /** A literal: a port carries a message. */
-    default int has(Circuit circuit, Port port) {
-        return circuit.of(true);
-    }
+    int has(Port port);
 
     default int[] variable(Expression.VariableRead read) {
         throw BitExpressions.noBits(read);

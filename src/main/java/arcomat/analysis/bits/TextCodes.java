@@ -5,6 +5,7 @@ import arcomat.semantics.value.GivenUp;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Texts as numbers, of which nothing is asked but whether they are the same. There are more numbers
@@ -47,7 +48,7 @@ final class TextCodes {
         if (!texts.containsKey(code)) {
             bind(unmentioned(), code);
         }
-        return new Value.StringValue(texts.get(code));
+        return new Value.StringValue(Objects.requireNonNull(texts.get(code)));
     }
 
     private void bind(String text, long code) {
