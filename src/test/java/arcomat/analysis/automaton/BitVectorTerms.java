@@ -176,8 +176,13 @@ record BitVectorTerms(Component component, List<Value> arguments, int step)
         Type from = cast.operand().type();
         Type to = cast.type();
         if (to instanceof Type.RealType) {
+            boolean unsigned = from instanceof Type.CharacterType;
+            String number =
+                    unsigned
+                            ? SmtLib.extended(operand.value, from, Integer.SIZE)
+                            : operand.value;
             return new Coded(
-                    "(" + SmtLib.convert(to) + " RNE " + operand.value + ")",
+                    "(" + SmtLib.convert(to) + " RNE " + number + ")",
                     operand.wrong,
                     operand.wraps);
         }
