@@ -116,6 +116,11 @@ public final class BitLetters {
         solver.clauses().add(condition);
     }
 
+    /** How much has been done so far, in assignments and gates: equal on every machine. */
+    public long work() {
+        return solver.work() + circuit.gates();
+    }
+
     /**
      * A letter, by port; empty where there is none. Small numbers are preferred, which are easier
      * to read.
