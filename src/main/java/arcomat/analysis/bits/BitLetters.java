@@ -32,9 +32,6 @@ public final class BitLetters {
     /** Of these, to look for numbers that are easy to read. */
     private static final long WORK_FOR_SHORT = MOST_WORK / 20;
 
-    /** Of operations that have no circuit; enough where one is there that any letter shows. */
-    private static final int FEW_LESSONS = 4;
-
     private static final Value[] NO_VARIABLES = {};
 
     private final List<Port> ports;
@@ -51,7 +48,7 @@ public final class BitLetters {
      * @param stop asked now and then, whether to give up
      */
     public BitLetters(List<Port> ports, BooleanSupplier stop) {
-        this(ports, Map.of(), FEW_LESSONS, stop);
+        this(ports, Map.of(), 0, stop);
     }
 
     /**
@@ -79,6 +76,12 @@ public final class BitLetters {
         } catch (GivenUp none) {
             return false;
         }
+    }
+
+    /** Whether all that an expression is made of has a circuit, as far as operations tell. */
+    public static boolean areExact(Expression e) {
+        return !e.contains(
+                part -> part instanceof Expression.Binary binary && UnknownResults.isOf(binary));
     }
 
     private void insist() {
@@ -115,6 +118,11 @@ public final class BitLetters {
     /** Only letters matter of which this is true. */
     public void claim(int condition) {
         solver.clauses().add(condition);
+    }
+
+    /** How much has been done so far, in assignments and gates: equal on every machine. */
+    public long work() {
+        return solver.work() + circuit.gates();
     }
 
     /**

@@ -29,9 +29,14 @@ final class Circuit {
 
     /** One more is needed. */
     private void insist() {
-        if (both.size() + different.size() >= MOST_GATES) {
+        if (gates() >= MOST_GATES) {
             throw new GivenUp("too many gates");
         }
+    }
+
+    /** How many there are. */
+    int gates() {
+        return both.size() + different.size();
     }
 
     int of(boolean truth) {

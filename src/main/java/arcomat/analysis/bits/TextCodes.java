@@ -5,7 +5,6 @@ import arcomat.semantics.value.GivenUp;
 
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Objects;
 
 /**
  * Texts as numbers, of which nothing is asked but whether they are the same. There are more numbers
@@ -45,10 +44,12 @@ final class TextCodes {
 
     /** The text of a number: for one that stands for none so far, one that nobody has mentioned. */
     Value text(long code) {
-        if (!texts.containsKey(code)) {
-            bind(unmentioned(), code);
+        String known = texts.get(code);
+        if (known == null) {
+            known = unmentioned();
+            bind(known, code);
         }
-        return new Value.StringValue(Objects.requireNonNull(texts.get(code)));
+        return new Value.StringValue(known);
     }
 
     private void bind(String text, long code) {

@@ -8,6 +8,7 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.expression.PartialEvaluation;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
 
@@ -33,12 +34,16 @@ import java.util.stream.IntStream;
  */
 public final class CouplingSearch {
     private static final Value[] NO_VARIABLES = {};
+    private static final Optional<Value> NEVER = Optional.of(new Value.BooleanValue(false));
 
     /**
      * So many questions are put to solvers; a second or two, where numbers are compared. Who finds
      * no conditions has waited for nothing.
      */
     private static final int MOST_QUESTIONS = 500;
+
+    /** Assignments and gates of all questions: those about Doubles are long. */
+    private static final long MOST_WORK = 5_000_000;
 
     /** Of both sides together; of more there are too many comparisons. */
     private static final int MOST_VARIABLES = 8;
@@ -50,6 +55,7 @@ public final class CouplingSearch {
     private final Set<StatePair> open = new LinkedHashSet<>();
     private Optional<String> blamed = Optional.empty();
     private int questions;
+    private long work;
 
     private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
         this.coupling = coupling;
@@ -119,17 +125,37 @@ public final class CouplingSearch {
     }
 
     private void goOn(StatePair pair) {
-        for (Set<String> messages : coupling.messages(pair)) {
-            Slice slice = Slice.of(coupling, pair, messages, variables);
-            for (PossibleStep mine : slice.mine()) {
-                for (PossibleStep theirs : slice.theirs()) {
-                    if (mine.target() != PossibleStep.CHAOS
-                            && theirs.target() != PossibleStep.CHAOS) {
-                        follow(slice, mine, theirs);
-                    }
+        List<Slice> slices =
+                coupling.messages(pair).stream()
+                        .map(messages -> Slice.of(coupling, pair, messages, variables))
+                        .toList();
+        long least = slices.stream().mapToLong(CouplingSearch::steps).sum();
+        if (questions + least > MOST_QUESTIONS) {
+            throw tooMuch();
+        }
+        for (Slice slice : slices) {
+            for (PossibleStep mine : followed(slice.mine())) {
+                for (PossibleStep theirs : followed(slice.theirs())) {
+                    follow(slice, mine, theirs);
                 }
             }
         }
+    }
+
+    /** At least so many questions are asked about a slice. */
+    private static long steps(Slice slice) {
+        return (long) followed(slice.mine()).size() * followed(slice.theirs()).size();
+    }
+
+    private static List<PossibleStep> followed(List<PossibleStep> steps) {
+        return steps.stream()
+                .filter(each -> each.target() != PossibleStep.CHAOS)
+                .filter(each -> !PartialEvaluation.value(each.when()).equals(NEVER))
+                .toList();
+    }
+
+    private static GivenUp tooMuch() {
+        return new GivenUp("too many questions about variables");
     }
 
     /** Where that takes too long, only what is shown to be kept is thought of any longer. */
@@ -151,7 +177,11 @@ public final class CouplingSearch {
     }
 
     private boolean isOver() {
-        return questions > MOST_QUESTIONS || stop.getAsBoolean();
+        return isTooMuch() || stop.getAsBoolean();
+    }
+
+    private boolean isTooMuch() {
+        return questions > MOST_QUESTIONS || work > MOST_WORK;
     }
 
     private void keep(Slice slice, PossibleStep mine, PossibleStep theirs) {
@@ -195,12 +225,21 @@ public final class CouplingSearch {
         if (known != null) {
             solver.claimNot(solver.leadsTo(known, mine, theirs));
         }
-        return solver.find();
+        return found(solver);
+    }
+
+    private Optional<Value[]> found(SliceSolver solver) {
+        try {
+            return solver.find();
+        } finally {
+            work += solver.work();
+        }
     }
 
     private SliceSolver solver(Slice slice, List<Comparison> before) {
-        if (++questions > MOST_QUESTIONS) {
-            throw new GivenUp("too many questions about variables");
+        questions++;
+        if (isTooMuch()) {
+            throw tooMuch();
         }
         return new SliceSolver(slice, before, coupling.observed, stop);
     }
@@ -226,6 +265,7 @@ public final class CouplingSearch {
      */
     public List<Entry> shortened() {
         questions = 0;
+        work = 0;
         return entries(this::needed);
     }
 
@@ -260,6 +300,6 @@ public final class CouplingSearch {
         Slice variablesOnly = new Slice(pair, List.of(), List.of(), Formulas.FALSE, variables);
         SliceSolver solver = solver(variablesOnly, others);
         solver.claimNot(solver.truth(one.claim()));
-        return solver.find().isEmpty();
+        return found(solver).isEmpty();
     }
 }

@@ -6,7 +6,6 @@ import arcomat.model.Type;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
 
 /**
  * How two things are compared. Of numbers of floating point, {@code a == b} is not that both are
@@ -15,13 +14,13 @@ import java.util.function.Predicate;
  */
 enum Relation {
     /** Both are the same message. */
-    IS("is", Optional.empty(), Relation::isReal),
-    EQUAL(BinaryOperator.EQUAL, type -> true),
-    NOT_EQUAL(BinaryOperator.NOT_EQUAL, type -> true),
-    LESS(BinaryOperator.LESS, Relation::isOrdered),
-    LESS_OR_EQUAL(BinaryOperator.LESS_OR_EQUAL, Relation::isOrdered),
-    GREATER(BinaryOperator.GREATER, Relation::isOrdered),
-    GREATER_OR_EQUAL(BinaryOperator.GREATER_OR_EQUAL, Relation::isOrdered),
+    IS("is", Optional.empty(), Things.REALS),
+    EQUAL(BinaryOperator.EQUAL, Things.ALL),
+    NOT_EQUAL(BinaryOperator.NOT_EQUAL, Things.ALL),
+    LESS(BinaryOperator.LESS, Things.NUMBERS),
+    LESS_OR_EQUAL(BinaryOperator.LESS_OR_EQUAL, Things.NUMBERS),
+    GREATER(BinaryOperator.GREATER, Things.NUMBERS),
+    GREATER_OR_EQUAL(BinaryOperator.GREATER_OR_EQUAL, Things.NUMBERS),
     NOT_LESS(LESS),
     NOT_LESS_OR_EQUAL(LESS_OR_EQUAL),
     NOT_GREATER(GREATER),
@@ -29,19 +28,26 @@ enum Relation {
 
     private static final String DENIED = "!(";
 
-    private final String sign;
-    private final Optional<BinaryOperator> operator;
-    private final Predicate<Type> fits;
-    private final boolean denied;
-
-    Relation(BinaryOperator operator, Predicate<Type> fits) {
-        this(operator.sign(), Optional.of(operator), fits);
+    /** What can be compared. */
+    private enum Things {
+        ALL,
+        NUMBERS,
+        REALS
     }
 
-    Relation(String sign, Optional<BinaryOperator> operator, Predicate<Type> fits) {
+    private final String sign;
+    private final Optional<BinaryOperator> operator;
+    private final Things things;
+    private final boolean denied;
+
+    Relation(BinaryOperator operator, Things things) {
+        this(operator.sign(), Optional.of(operator), things);
+    }
+
+    Relation(String sign, Optional<BinaryOperator> operator, Things things) {
         this.sign = sign;
         this.operator = operator;
-        this.fits = fits;
+        this.things = things;
         this.denied = false;
     }
 
@@ -49,7 +55,7 @@ enum Relation {
     Relation(Relation other) {
         this.sign = other.sign;
         this.operator = other.operator;
-        this.fits = Relation::isReal;
+        this.things = Things.REALS;
         this.denied = true;
     }
 
@@ -57,8 +63,12 @@ enum Relation {
         return type instanceof Type.RealType;
     }
 
-    private static boolean isOrdered(Type type) {
-        return isReal(type) || type instanceof Type.IntegerType;
+    private boolean fits(Type type) {
+        return switch (things) {
+            case ALL -> true;
+            case NUMBERS -> isReal(type) || type instanceof Type.IntegerType;
+            case REALS -> isReal(type);
+        };
     }
 
     /** Whether two things of a type are the same message. */
@@ -111,7 +121,7 @@ enum Relation {
         return Arrays.stream(values())
                 .filter(each -> each.sign.equals(sign))
                 .filter(each -> each.denied == denied)
-                .filter(each -> each.fits.test(type))
+                .filter(each -> each.fits(type))
                 .findFirst();
     }
 }

@@ -105,4 +105,9 @@ final class SliceSolver {
     Optional<Value[]> find() {
         return letters.find();
     }
+
+    /** How much has been done so far: equal on every machine. */
+    long work() {
+        return letters.work();
+    }
 }

@@ -3,6 +3,7 @@ package arcomat.analysis.smt;
 import arcomat.analysis.bits.BitLetters;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.value.GivenUp;
 
@@ -22,6 +23,10 @@ final class FactBits implements FactSolver {
      * @throws GivenUp where there are no bits for what ports carry
      */
     FactBits(List<Port> ports, List<DataFact> facts, BooleanSupplier stop) {
+        if (ports.stream().anyMatch(port -> port.type() instanceof Type.StringType)
+                || facts.stream().anyMatch(FactBits::isOpen)) {
+            throw new GivenUp("linear arithmetic knows as much of texts, and sooner");
+        }
         this.facts = facts;
         this.letters = new BitLetters(ports, stop);
     }
@@ -31,6 +36,10 @@ final class FactBits implements FactSolver {
         return facts.stream()
                 .flatMap(fact -> fact.expressions().stream())
                 .anyMatch(e -> e.contains(FactBits::isNonlinear));
+    }
+
+    private static boolean isOpen(DataFact fact) {
+        return fact.expressions().stream().anyMatch(e -> !BitLetters.areExact(e));
     }
 
     private static boolean isNonlinear(Expression e) {

@@ -178,9 +178,7 @@ record BitVectorTerms(Component component, List<Value> arguments, int step)
         if (to instanceof Type.RealType) {
             boolean unsigned = from instanceof Type.CharacterType;
             String number =
-                    unsigned
-                            ? SmtLib.extended(operand.value, from, Integer.SIZE)
-                            : operand.value;
+                    unsigned ? SmtLib.extended(operand.value, from, Integer.SIZE) : operand.value;
             return new Coded(
                     "(" + SmtLib.convert(to) + " RNE " + number + ")",
                     operand.wrong,

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -281,7 +282,7 @@ class BitLettersTest {
 
     @Test
     void remaindersOfRealNumbersAreFoundOut() {
-        BitLetters letters = new BitLetters(List.of(), () -> false);
+        BitLetters letters = new BitLetters(List.of(), Map.of(), 2, () -> false);
         Type real = new Type.RealType(false);
         Expression half = new Expression.Constant(new Value.RealValue(0.5), real, NOWHERE);
         Expression rest = binary(BinaryOperator.REMAINDER, half, half, real);
