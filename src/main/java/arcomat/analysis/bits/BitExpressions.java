@@ -5,7 +5,6 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
 import arcomat.semantics.value.GivenUp;
 
@@ -14,7 +13,6 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.IntPredicate;
 
 /**
  * Expressions at one point of a run, in bits: exactly as the interpreter has them, but for {@link
@@ -24,15 +22,15 @@ import java.util.function.IntPredicate;
  */
 final class BitExpressions implements Expression.SomeCases<int[]> {
     private final Circuit circuit;
-    private final TextCodes texts;
+    private final ValueBits values;
     private final BitReads reads;
     private final UnknownResults unknown = new UnknownResults();
     private final Map<String, int[]> messages = new HashMap<>();
     private final Map<Expression, int[]> known = new IdentityHashMap<>();
 
-    BitExpressions(Circuit circuit, TextCodes texts, BitReads reads) {
-        this.circuit = circuit;
-        this.texts = texts;
+    BitExpressions(ValueBits values, BitReads reads) {
+        this.circuit = values.circuit();
+        this.values = values;
         this.reads = reads;
     }
 
@@ -62,7 +60,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     /** The bits of a message that may be any of its type. */
     int[] message(Port port) {
-        return messages.computeIfAbsent(port.name(), name -> any(port.type()));
+        return messages.computeIfAbsent(port.name(), name -> values.any(port.type()));
     }
 
     /** Both carry the same message, whatever it is; the second one has not been read so far. */
@@ -70,48 +68,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         messages.put(other.name(), message(one));
     }
 
-    BitCodes codes(Type type) {
-        return BitCodes.of(type, texts);
-    }
-
     /** What has been taken for unknown. */
     UnknownResults unknown() {
         return unknown;
-    }
-
-    /** Of a type with a range only so many bits are open as it takes; the others are its sign. */
-    int[] any(Type type) {
-        BitCodes codes = codes(type);
-        return Circuit.resized(
-                circuit.input(Math.min(codes.needed(), codes.width())), codes.width());
-    }
-
-    /** Whether bits are those of a value of the type; all of them are, if they may be. */
-    int isOf(int[] bits, Type type) {
-        BitCodes codes = codes(type);
-        if (codes.isTruth()) {
-            return circuit.of(true);
-        }
-        if (type instanceof Type.RealType real) {
-            return reals(real).isPattern(bits);
-        }
-        int[] least = circuit.constant(codes.least(), bits.length);
-        int[] most = circuit.constant(codes.most(), bits.length);
-        return circuit.and(-circuit.isLess(bits, least), -circuit.isLess(most, bits));
-    }
-
-    /** Whether a number of floating point is one that is easy to read. */
-    int isShort(int[] bits, Type.RealType type, int width) {
-        return reals(type).isShort(bits, width);
-    }
-
-    int[] value(Value value, Type type) {
-        BitCodes codes = codes(type);
-        return circuit.constant(codes.code().applyAsLong(value), codes.width());
-    }
-
-    private FloatingPoint reals(Type.RealType type) {
-        return new FloatingPoint(circuit, RealFormat.of(type));
     }
 
     /** Where both are numbers of floating point, their arithmetic; nothing where neither is one. */
@@ -121,18 +80,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         if (!areAlike && (isReal || other.type() instanceof Type.RealType)) {
             throw noBits(one);
         }
-        return isReal ? Optional.of(reals((Type.RealType) one.type())) : Optional.empty();
-    }
-
-    /** The value that bits stand for, of which it is known whether they are true. */
-    Value meaning(int[] bits, Type type, IntPredicate isTrue) {
-        long number = 0;
-        for (int i = 0; i < bits.length; i++) {
-            if (isTrue.test(bits[i])) {
-                number |= 1L << i;
-            }
-        }
-        return codes(type).meaning().apply(bits.length == Integer.SIZE ? (int) number : number);
+        return isReal ? Optional.of(values.reals((Type.RealType) one.type())) : Optional.empty();
     }
 
     static GivenUp noBits(Expression e) {
@@ -146,7 +94,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] constant(Expression.Constant constant) {
-        return value(constant.value(), constant.type());
+        return values.of(constant.value(), constant.type());
     }
 
     @Override
@@ -161,7 +109,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] parameterRead(Expression.ParameterRead read) {
-        return value(reads.argument(read), read.type());
+        return values.of(reads.argument(read), read.type());
     }
 
     @Override
@@ -252,8 +200,8 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
             return toReal(cast.operand(), real);
         }
         if (cast.operand().type() instanceof Type.RealType real) {
-            int width = Math.max(Integer.SIZE, codes(cast.type()).width());
-            return narrowed(reals(real).toWhole(bits(cast.operand()), width), cast.type());
+            int width = Math.max(Integer.SIZE, values.width(cast.type()));
+            return narrowed(values.reals(real).toWhole(bits(cast.operand()), width), cast.type());
         }
         return narrowed(bits(cast.operand()), cast.type());
     }
@@ -262,12 +210,12 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         if (operand.type() instanceof Type.RealType from) {
             return from.equals(type)
                     ? bits(operand)
-                    : reals(type).converted(bits(operand), RealFormat.of(from));
+                    : values.reals(type).converted(bits(operand), RealFormat.of(from));
         }
         if (!operand.type().isNumber()) {
             throw noBits(operand);
         }
-        return reals(type).ofWhole(bits(operand));
+        return values.reals(type).ofWhole(bits(operand));
     }
 
     private int[] narrowed(int[] operand, Type type) {
@@ -287,9 +235,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                         case LONG -> Long.SIZE;
                     };
             int[] narrow = Circuit.resized(operand, Math.min(kept, operand.length));
-            return Circuit.resized(narrow, codes(integer).width());
+            return Circuit.resized(narrow, values.width(integer));
         }
-        return Circuit.resized(operand, codes(type).width());
+        return Circuit.resized(operand, values.width(type));
     }
 
     @Override
@@ -304,7 +252,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     private int[] negated(int[] operand, Type type) {
         return type instanceof Type.RealType real
-                ? reals(real).negated(operand)
+                ? values.reals(real).negated(operand)
                 : circuit.negated(operand);
     }
 
@@ -316,7 +264,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                 || isText(type) != isText(operand.type())) {
             throw noBits(operand);
         }
-        return Circuit.resized(bits(operand), codes(type).width());
+        return Circuit.resized(bits(operand), values.width(type));
     }
 
     @Override
@@ -364,7 +312,10 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     private int[] arithmetic(Expression.Binary binary) {
         if (UnknownResults.isOf(binary)) {
             return unknown.bits(
-                    binary, bits(binary.left()), bits(binary.right()), () -> some(binary.type()));
+                    binary,
+                    bits(binary.left()),
+                    bits(binary.right()),
+                    () -> values.some(binary.type()));
         }
         if (isText(binary.type())) {
             throw noBits(binary);
@@ -372,14 +323,8 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         int[] left = sized(binary.left(), binary.type());
         int[] right = sized(binary.right(), binary.type());
         return binary.type() instanceof Type.RealType real
-                ? calculated(reals(real), binary.operator(), left, right)
+                ? calculated(values.reals(real), binary.operator(), left, right)
                 : calculated(binary.operator(), left, right);
-    }
-
-    /** Of any value of a type, and of nothing else. */
-    private int[] some(Type type) {
-        int[] bits = any(type);
-        return circuit.choose(isOf(bits, type), bits, value(type.first(), type));
     }
 
     private int[] calculated(BinaryOperator operator, int[] left, int[] right) {

@@ -12,7 +12,6 @@ import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
@@ -27,6 +26,7 @@ import java.util.stream.IntStream;
 final class BitInstant implements Instant<int[]> {
     private final Subject subject;
     private final Circuit circuit;
+    private final ValueBits values;
     private final BitExpressions expressions;
     private final IntPredicate isTrue;
     private final Runnable inexact;
@@ -42,14 +42,14 @@ final class BitInstant implements Instant<int[]> {
      */
     BitInstant(
             Subject subject,
-            Circuit circuit,
-            TextCodes texts,
+            ValueBits values,
             int[] states,
             IntPredicate isTrue,
             Runnable inexact) {
         this.subject = subject;
-        this.circuit = circuit;
-        this.expressions = new BitExpressions(circuit, texts, new Reads());
+        this.circuit = values.circuit();
+        this.values = values;
+        this.expressions = new BitExpressions(values, new Reads());
         this.isTrue = isTrue;
         this.inexact = inexact;
         this.states = states;
@@ -64,7 +64,7 @@ final class BitInstant implements Instant<int[]> {
 
     private int[] any(Type type) {
         try {
-            return expressions.any(type);
+            return values.any(type);
         } catch (GivenUp noBits) {
             inexact.run();
             return circuit.input(Integer.SIZE);
@@ -147,8 +147,7 @@ final class BitInstant implements Instant<int[]> {
 
     @Override
     public int[] is(Variable variable, Value value) {
-        return claim(
-                () -> circuit.areEqual(bits(variable), expressions.value(value, variable.type())));
+        return claim(() -> circuit.areEqual(bits(variable), values.of(value, variable.type())));
     }
 
     private int[] bits(Variable variable) {
@@ -190,7 +189,7 @@ final class BitInstant implements Instant<int[]> {
     }
 
     private int isOf(int[] bits, Type type) {
-        return claim(() -> expressions.isOf(bits, type))[0];
+        return claim(() -> values.isOf(bits, type))[0];
     }
 
     private int[] message(Port port) {
@@ -200,13 +199,7 @@ final class BitInstant implements Instant<int[]> {
     /** Literals that make messages small numbers, which are easier to read. */
     IntStream areBelow(int width) {
         return subject.component().inputs().stream()
-                .flatMapToInt(port -> areBelow(port.type(), message(port), width));
-    }
-
-    private IntStream areBelow(Type type, int[] bits, int width) {
-        return type instanceof Type.RealType real
-                ? IntStream.of(expressions.isShort(bits, real, width))
-                : Arrays.stream(bits).skip(width).map(bit -> -bit);
+                .flatMapToInt(port -> values.areBelow(message(port), port.type(), width));
     }
 
     @Override
@@ -224,7 +217,7 @@ final class BitInstant implements Instant<int[]> {
 
     private Value decoded(int[] bits, Type type) {
         try {
-            return expressions.meaning(bits, type, isTrue);
+            return values.meaning(bits, type, isTrue);
         } catch (GivenUp noBits) {
             return type.first();
         }

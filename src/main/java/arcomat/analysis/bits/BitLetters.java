@@ -18,7 +18,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.stream.IntStream;
 
 /**
  * Letters that make conditions true, where all is numbers, truth values, constants and texts. Says
@@ -39,8 +38,8 @@ public final class BitLetters {
     private final BooleanSupplier stop;
     private final CheckedSolver solver = new CheckedSolver(this::insist);
     private final Circuit circuit = new Circuit(solver.clauses());
-    private final BitExpressions expressions =
-            new BitExpressions(circuit, new TextCodes(), port -> circuit.of(true));
+    private final ValueBits values = new ValueBits(circuit, new TextCodes());
+    private final BitExpressions expressions = new BitExpressions(values, port -> circuit.of(true));
     private long workBefore;
 
     /**
@@ -65,7 +64,7 @@ public final class BitLetters {
         this.stop = stop;
         same.forEach((port, other) -> expressions.join(other, port));
         for (Port port : ports) {
-            claim(expressions.isOf(expressions.message(port), port.type()));
+            claim(values.isOf(expressions.message(port), port.type()));
         }
     }
 
@@ -103,7 +102,7 @@ public final class BitLetters {
     /** That an expression has a value. */
     public int is(Expression e, Value value) {
         int[] bits = expressions.bits(e);
-        return circuit.areEqual(bits, expressions.value(value, e.type()));
+        return circuit.areEqual(bits, values.of(value, e.type()));
     }
 
     /** That all of some conditions are true. */
@@ -203,14 +202,10 @@ public final class BitLetters {
 
     /** That all messages are numbers of so many bits. */
     private int[] areBelow(int width) {
-        return ports.stream().flatMapToInt(port -> areBelow(port, width)).toArray();
-    }
-
-    private IntStream areBelow(Port port, int width) {
-        int[] bits = expressions.message(port);
-        return port.type() instanceof Type.RealType real
-                ? IntStream.of(expressions.isShort(bits, real, width))
-                : Arrays.stream(bits).skip(width).map(bit -> -bit);
+        return ports.stream()
+                .flatMapToInt(
+                        port -> values.areBelow(expressions.message(port), port.type(), width))
+                .toArray();
     }
 
     private Value message(Port port) {
@@ -218,6 +213,6 @@ public final class BitLetters {
     }
 
     private Value value(int[] bits, Type type) {
-        return expressions.meaning(bits, type, solver::isTrue);
+        return values.meaning(bits, type, solver::isTrue);
     }
 }

@@ -125,8 +125,7 @@ public final class BitLogic implements Logic<int[]> {
         BitInstant next =
                 new BitInstant(
                         subject,
-                        new Circuit(solver.clauses()),
-                        texts,
+                        new ValueBits(new Circuit(solver.clauses()), texts),
                         states,
                         solver::isTrue,
                         () -> exact = false);
