@@ -75,12 +75,10 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     /** Where both are numbers of floating point, their arithmetic; nothing where neither is one. */
     private Optional<FloatingPoint> reals(Expression one, Expression other) {
-        boolean isReal = one.type() instanceof Type.RealType;
-        boolean areAlike = one.type().equals(other.type());
-        if (!areAlike && (isReal || other.type() instanceof Type.RealType)) {
-            throw noBits(one);
-        }
-        return isReal ? Optional.of(values.reals((Type.RealType) one.type())) : Optional.empty();
+        requireAlike(other.type(), one);
+        return one.type() instanceof Type.RealType real
+                ? Optional.of(values.reals(real))
+                : Optional.empty();
     }
 
     static GivenUp noBits(Expression e) {
@@ -167,16 +165,11 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     static void requireAlike(Type type, Expression other) {
         boolean alike =
                 type.equals(other.type())
-                        || isCounted(type) && isCounted(other.type())
+                        || Interval.isInteger(type) && Interval.isInteger(other.type())
                         || type instanceof Type.EnumType && other.type() instanceof Type.EnumType;
         if (!alike) {
             throw noBits(other);
         }
-    }
-
-    /** Characters count as their codes. */
-    private static boolean isCounted(Type type) {
-        return Interval.isInteger(type);
     }
 
     private static boolean isText(Type type) {

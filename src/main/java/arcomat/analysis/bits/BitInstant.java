@@ -8,6 +8,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
+import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
@@ -109,15 +110,8 @@ final class BitInstant implements Instant<int[]> {
 
         @Override
         public Value argument(Expression.ParameterRead read) {
-            int position = 0;
-            while (!parameter(position).equals(read.parameter().name())) {
-                position++;
-            }
-            return subject.arguments().get(position);
-        }
-
-        private String parameter(int position) {
-            return subject.component().parameters().get(position).name();
+            return Scope.ofParameters(subject.component().parameters(), subject.arguments())
+                    .constant(read);
         }
 
         /** An object may be any, but is the same wherever it is read. */
@@ -178,14 +172,13 @@ final class BitInstant implements Instant<int[]> {
 
     @Override
     public int[] isWellTyped() {
-        int all = circuit.of(true);
-        for (Variable variable : subject.automaton().variables()) {
-            all = circuit.and(all, isOf(bits(variable), variable.type()));
-        }
-        for (Port port : subject.component().inputs()) {
-            all = circuit.and(all, isOf(message(port), port.type()));
-        }
-        return truth(all);
+        IntStream remembered =
+                subject.automaton().variables().stream()
+                        .mapToInt(each -> isOf(bits(each), each.type()));
+        IntStream read =
+                subject.component().inputs().stream()
+                        .mapToInt(each -> isOf(message(each), each.type()));
+        return truth(circuit.and(IntStream.concat(remembered, read)));
     }
 
     private int isOf(int[] bits, Type type) {

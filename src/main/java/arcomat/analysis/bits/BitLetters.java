@@ -7,7 +7,6 @@ import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
@@ -30,8 +29,6 @@ public final class BitLetters {
 
     /** Of these, to look for numbers that are easy to read. */
     private static final long WORK_FOR_SHORT = MOST_WORK / 20;
-
-    private static final Value[] NO_VARIABLES = {};
 
     private final List<Port> ports;
     private final int lessons;
@@ -107,11 +104,7 @@ public final class BitLetters {
 
     /** That all of some conditions are true. */
     public int and(List<Integer> conditions) {
-        int all = circuit.of(true);
-        for (int condition : conditions) {
-            all = circuit.and(all, condition);
-        }
-        return all;
+        return circuit.and(conditions.stream().mapToInt(condition -> condition));
     }
 
     /** Only letters matter of which this is true. */
@@ -196,8 +189,7 @@ public final class BitLetters {
     }
 
     private Value value(Expression e, Value[] letter) {
-        return Objects.requireNonNull(
-                Evaluation.compile(e, Scope.ofPorts(ports)).evaluate(letter, NO_VARIABLES));
+        return Objects.requireNonNull(Scope.ofPorts(ports).value(e, letter));
     }
 
     /** That all messages are numbers of so many bits. */

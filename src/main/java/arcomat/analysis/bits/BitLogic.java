@@ -50,11 +50,7 @@ public final class BitLogic implements Logic<int[]> {
 
     @Override
     public int[] and(List<int[]> all) {
-        int both = circuit.of(true);
-        for (int[] each : all) {
-            both = circuit.and(both, each[0]);
-        }
-        return new int[] {both};
+        return new int[] {circuit.and(all.stream().mapToInt(each -> each[0]))};
     }
 
     @Override

@@ -7,6 +7,7 @@ import com.carrotsearch.hppc.LongIntHashMap;
 
 import java.util.Arrays;
 import java.util.OptionalLong;
+import java.util.stream.IntStream;
 
 /**
  * Gates in clauses (Tseitin 1968). Numbers are arrays of literals, the least bit first, and the
@@ -83,6 +84,10 @@ final class Circuit {
             both.put(inputs, clauses.and(a, b));
         }
         return both.get(inputs);
+    }
+
+    int and(IntStream all) {
+        return all.reduce(of(true), this::and);
     }
 
     int or(int a, int b) {

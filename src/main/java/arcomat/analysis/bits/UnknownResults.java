@@ -49,12 +49,7 @@ final class UnknownResults {
                         operation.left().type(),
                         operation.right().type(),
                         operands);
-        Result known = results.get(key);
-        if (known == null) {
-            known = new Result(operation, any.get());
-            results.put(key, known);
-        }
-        return known.bits();
+        return results.computeIfAbsent(key, each -> new Result(operation, any.get())).bits();
     }
 
     /** What operands are made of comes before them. */

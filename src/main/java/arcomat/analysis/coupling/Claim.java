@@ -4,7 +4,6 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Scope;
 
 import java.util.List;
@@ -14,8 +13,6 @@ import java.util.function.UnaryOperator;
 
 /** That two expressions are related. */
 record Claim(Relation relation, Expression one, Expression other) {
-    private static final Value[] NO_VARIABLES = {};
-
     /** About other things. */
     Claim rewritten(UnaryOperator<Expression> rule) {
         return new Claim(relation, one.rewritten(rule), other.rewritten(rule));
@@ -35,14 +32,10 @@ record Claim(Relation relation, Expression one, Expression other) {
      */
     boolean isTrue(List<Port> ports, Value[] row) {
         Scope scope = Scope.ofPorts(ports);
-        return asked().map(
-                        e ->
-                                Evaluation.compile(e, scope).isTrue(row, NO_VARIABLES)
-                                        != relation.isDenied())
-                .orElseGet(() -> value(one, scope, row).equals(value(other, scope, row)));
-    }
-
-    private static Value value(Expression e, Scope scope, Value[] row) {
-        return Objects.requireNonNull(Evaluation.compile(e, scope).evaluate(row, NO_VARIABLES));
+        return asked().map(e -> scope.isTrue(e, row) != relation.isDenied())
+                .orElseGet(
+                        () ->
+                                Objects.requireNonNull(scope.value(one, row))
+                                        .equals(scope.value(other, row)));
     }
 }

@@ -1,11 +1,9 @@
 package arcomat.analysis.coupling;
 
 import arcomat.analysis.search.product.Certificate.Entry;
-import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Scope;
 
 import java.util.ArrayList;
@@ -26,8 +24,6 @@ import java.util.stream.IntStream;
  * are checked.
  */
 public final class CouplingCheck {
-    private static final Value[] NO_VARIABLES = {};
-
     private final Coupling coupling;
     private final BooleanSupplier stop;
     private final Conditions conditions;
@@ -200,31 +196,18 @@ public final class CouplingCheck {
     }
 
     private boolean isAnswer(Slice slice, PossibleStep mine, PossibleStep theirs, Value[] row) {
-        return holds(theirs.when(), slice.ports(), row)
+        Scope scope = Scope.ofPorts(slice.ports());
+        return scope.isTrue(theirs.when(), row)
                 && coupling.observed.stream()
-                        .allMatch(
-                                port ->
-                                        allows(
-                                                theirs.sent(port),
-                                                mine.sent(port),
-                                                slice.ports(),
-                                                row));
+                        .allMatch(port -> allows(theirs.sent(port), mine.sent(port), scope, row));
     }
 
-    private static boolean allows(Emitted theirs, Emitted mine, List<Port> ports, Value[] row) {
+    private static boolean allows(Emitted theirs, Emitted mine, Scope scope, Value[] row) {
         return theirs.message().isPresent() && mine.message().isPresent()
-                ? value(theirs.message().get(), ports, row)
-                        .equals(value(mine.message().get(), ports, row))
+                ? Objects.equals(
+                        scope.value(theirs.message().get(), row),
+                        scope.value(mine.message().get(), row))
                 : theirs.allows(mine);
-    }
-
-    private static boolean holds(Expression condition, List<Port> ports, Value[] row) {
-        return Evaluation.compile(condition, Scope.ofPorts(ports)).isTrue(row, NO_VARIABLES);
-    }
-
-    private static Optional<Value> value(Expression e, List<Port> ports, Value[] row) {
-        return Optional.ofNullable(
-                Evaluation.compile(e, Scope.ofPorts(ports)).evaluate(row, NO_VARIABLES));
     }
 
     private String place(Slice slice, Value[] row) {

@@ -6,7 +6,6 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Formulas;
 import arcomat.semantics.expression.PartialEvaluation;
 import arcomat.semantics.expression.Scope;
@@ -33,7 +32,6 @@ import java.util.stream.IntStream;
  * proposal; whether it proves anything is for {@link CouplingCheck} to say.
  */
 public final class CouplingSearch {
-    private static final Value[] NO_VARIABLES = {};
     private static final Optional<Value> NEVER = Optional.of(new Value.BooleanValue(false));
 
     /**
@@ -248,9 +246,7 @@ public final class CouplingSearch {
             Port variable, Slice slice, PossibleStep mine, PossibleStep theirs, Value[] row) {
         Expression value =
                 Slice.value(new Expression.PortRead(variable, variable.span()), mine, theirs);
-        return Objects.requireNonNull(
-                Evaluation.compile(value, Scope.ofPorts(slice.ports()))
-                        .evaluate(row, NO_VARIABLES));
+        return Objects.requireNonNull(Scope.ofPorts(slice.ports()).value(value, row));
     }
 
     /** Pairs of states, each with all conditions that no example contradicts. */

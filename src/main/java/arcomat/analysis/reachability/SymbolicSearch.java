@@ -6,8 +6,6 @@ import arcomat.analysis.reachability.Reachability.Unknown;
 import arcomat.analysis.reachability.Reachability.Unreachable;
 import arcomat.analysis.reachability.Unrolling.StatePredicate;
 
-import org.jspecify.annotations.Nullable;
-
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -73,7 +71,7 @@ public final class SymbolicSearch<T> {
             search.run();
             answers.putAll(search.answers);
             exact = search.isExact();
-            open = asked.stream().filter(each -> isOpen(answers.get(each))).toList();
+            open = asked.stream().filter(each -> answers.get(each) instanceof Unknown).toList();
         }
         return answers;
     }
@@ -93,10 +91,6 @@ public final class SymbolicSearch<T> {
                         stop);
         Bounds.candidates(subject).forEach(bound -> search.bounds.add(there -> there.holds(bound)));
         return search;
-    }
-
-    private static boolean isOpen(@Nullable Reachability answer) {
-        return answer instanceof Unknown;
     }
 
     private boolean isExact() {

@@ -91,23 +91,25 @@ final class Unrolling<T> {
 
     /** Whether the end of a run shows it; if so, looks at an example. */
     Logic.Answer endsWith(StatePredicate<T> shown, Consumer<Run> example) {
-        T atEnd = shown.at(transitions.get(transitions.size() - 1));
-        return logic.assuming(List.of(atEnd), () -> example.accept(run()));
+        return logic.assuming(List.of(atEnd(shown)), () -> example.accept(run()));
     }
 
     /** Whether the end of a run shows it. */
     Logic.Answer endsWith(StatePredicate<T> shown) {
-        return logic.assuming(List.of(shown.at(transitions.get(transitions.size() - 1))));
+        return logic.assuming(List.of(atEnd(shown)));
+    }
+
+    private T atEnd(StatePredicate<T> shown) {
+        return shown.at(transitions.get(transitions.size() - 1));
     }
 
     /** Whether the end of a run may be the first to show it. */
     Logic.Answer endsFirstWith(StatePredicate<T> shown) {
-        int last = transitions.size() - 1;
         List<T> assumed = new ArrayList<>();
-        for (int i = 0; i < last; i++) {
-            assumed.add(logic.not(shown.at(transitions.get(i))));
+        for (SymbolicTransitions<T> before : transitions.subList(0, transitions.size() - 1)) {
+            assumed.add(logic.not(shown.at(before)));
         }
-        assumed.add(shown.at(transitions.get(last)));
+        assumed.add(atEnd(shown));
         return logic.assuming(assumed);
     }
 

@@ -112,7 +112,8 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
                         && CoupledRefinement.readsMuch(left, right)
                         && budget.takes(Shortcut.CONDITIONS);
         if (others) {
-            return CoupledRefinement.proof(left, right, budget, reason -> {})
+            return CoupledRefinement.attempt(left, right, budget)
+                    .proof()
                     .map(Supplier::get)
                     .or(() -> found);
         }

@@ -15,7 +15,6 @@ import arcomat.semantics.value.SmallType;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
@@ -63,32 +62,39 @@ final class CoupledRefinement {
     }
 
     /**
-     * A proof that has been checked; empty where there is none to be had.
+     * What became of a search for conditions.
      *
-     * @param giveUp told why, where that was not found out
-     * @return what tells it, as briefly as possible
+     * @param proof that has been checked, told as briefly as possible; empty where none was found
+     * @param obstacle that stood in the way; empty where it is not known
      */
-    static Optional<Supplier<Certificate>> proof(
-            Promise left, Promise right, Budget budget, Consumer<String> giveUp) {
-        return areFlat(left, right)
-                ? Budget.within(
-                        () -> found(left, right, budget, giveUp),
-                        reason -> {
-                            giveUp.accept(reason);
-                            return Optional.empty();
-                        })
-                : Optional.empty();
+    record Attempt(Optional<Supplier<Certificate>> proof, Optional<String> obstacle) {
+        static Attempt without(Optional<String> obstacle) {
+            return new Attempt(Optional.empty(), obstacle);
+        }
+
+        /** Where something stood in the way, that is noted, unless it has been said. */
+        Verdict noted(Verdict verdict) {
+            return obstacle.filter(each -> verdict.answer() == Verdict.Answer.UNKNOWN)
+                    .filter(each -> !verdict.reason().equals(each))
+                    .map(each -> verdict.with(NOTHING_FOUND + each))
+                    .orElse(verdict);
+        }
     }
 
-    private static Optional<Supplier<Certificate>> found(
-            Promise left, Promise right, Budget budget, Consumer<String> giveUp) {
+    static Attempt attempt(Promise left, Promise right, Budget budget) {
+        return areFlat(left, right)
+                ? Budget.within(
+                        () -> searched(left, right, budget),
+                        reason -> Attempt.without(Optional.of(reason)))
+                : Attempt.without(Optional.empty());
+    }
+
+    private static Attempt searched(Promise left, Promise right, Budget budget) {
         Coupling coupling = coupling(left, right);
         CouplingSearch search = CouplingSearch.of(coupling, budget::isSpent);
-        if (proves(coupling, search.proposal(), budget)) {
-            return Optional.of(() -> told(coupling, search, budget));
-        }
-        search.blamed().ifPresent(giveUp);
-        return Optional.empty();
+        return proves(coupling, search.proposal(), budget)
+                ? new Attempt(Optional.of(() -> told(coupling, search, budget)), Optional.empty())
+                : Attempt.without(search.blamed());
     }
 
     private static boolean proves(Coupling coupling, List<Entry> entries, Budget budget) {
@@ -126,13 +132,6 @@ final class CoupledRefinement {
     private static Coupling.Subject subject(Promise promise) {
         return new Coupling.Subject(
                 promise.component(), promise.automata().get(0), promise.arguments());
-    }
-
-    /** That nothing was found, because of something that stood in the way. */
-    static Verdict noted(Verdict verdict, String reason) {
-        return verdict.answer() == Verdict.Answer.UNKNOWN && !verdict.reason().equals(reason)
-                ? verdict.with(NOTHING_FOUND + reason)
-                : verdict;
     }
 
     static Verdict verdict() {

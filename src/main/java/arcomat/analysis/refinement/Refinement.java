@@ -211,15 +211,12 @@ public final class Refinement {
         if (verdict.answer() != Answer.UNKNOWN) {
             return verdict;
         }
-        List<String> reasons = new ArrayList<>();
-        Optional<Supplier<Certificate>> shown =
-                CoupledRefinement.proof(left, right, budget, reasons::add);
-        if (shown.isPresent()) {
-            proof.accept(() -> Optional.of(shown.get().get()));
+        CoupledRefinement.Attempt attempt = CoupledRefinement.attempt(left, right, budget);
+        if (attempt.proof().isPresent()) {
+            proof.accept(() -> attempt.proof().map(Supplier::get));
             return CoupledRefinement.verdict();
         }
-        Verdict whole = byPairs(left, right, budget, Optional.empty(), proof);
-        return reasons.isEmpty() ? whole : CoupledRefinement.noted(whole, reasons.get(0));
+        return attempt.noted(byPairs(left, right, budget, Optional.empty(), proof));
     }
 
     private static Verdict byPairs(

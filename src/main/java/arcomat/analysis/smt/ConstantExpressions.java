@@ -7,6 +7,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Scope;
 
 import java.math.BigInteger;
 import java.util.List;
@@ -39,11 +40,7 @@ record ConstantExpressions(
 
     /** The argument for a parameter. */
     Value argument(Expression.ParameterRead read) {
-        int position = 0;
-        while (!parameters.get(position).name().equals(read.parameter().name())) {
-            position++;
-        }
-        return arguments.get(position);
+        return Scope.ofParameters(parameters, arguments).constant(read);
     }
 
     /** The value of an integer that is written out, perhaps with a sign or by a name. */

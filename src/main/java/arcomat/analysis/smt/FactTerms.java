@@ -6,7 +6,6 @@ import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.value.GivenUp;
@@ -128,7 +127,7 @@ final class FactTerms implements FactSolver {
     private boolean isRight(Expression e, Term term, Value[] row) {
         Value really;
         try {
-            really = Evaluation.compile(e, scope).evaluate(row, new Value[0]);
+            really = scope.value(e, row);
         } catch (Fault divisionByZero) {
             return true; // nobody asks for what it gives
         }

@@ -4,7 +4,6 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Interval;
 import arcomat.semantics.expression.Scope;
@@ -293,7 +292,7 @@ final class Translation implements Expression.Cases<Term> {
 
     private static @Nullable Value factor(Expression.Binary product, Scope scope, Value[] example) {
         try {
-            return Evaluation.compile(product.left(), scope).evaluate(example, new Value[0]);
+            return scope.value(product.left(), example);
         } catch (Fault divisionByZero) {
             return null;
         }

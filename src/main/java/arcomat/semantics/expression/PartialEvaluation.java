@@ -139,7 +139,7 @@ public record PartialEvaluation(Map<String, Value> known, Set<String> open)
     /** Unchanged where it goes wrong: that is somebody else's business. */
     private static Expression computed(Expression e) {
         try {
-            Value value = Evaluation.compile(e, NO_NAMES).evaluate(new Value[0], new Value[0]);
+            Value value = NO_NAMES.value(e, new Value[0]);
             return value == null ? e : new Expression.Constant(value, e.type(), e.span());
         } catch (Fault wrong) {
             return e;

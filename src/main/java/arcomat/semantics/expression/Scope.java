@@ -84,7 +84,27 @@ public final class Scope {
     /** The value of an expression that reads neither ports nor variables. */
     @SuppressWarnings("NullAway") // what reads no port is defined
     public Value constant(Expression expression) {
-        return Evaluation.compile(expression, this).evaluate(NOTHING, NOTHING);
+        return value(expression, NOTHING);
+    }
+
+    /**
+     * The value of an expression that reads no variables; null where it is undefined.
+     *
+     * @param messages by position of the port, null for silence
+     * @throws Fault where it cannot be computed
+     */
+    public @Nullable Value value(Expression expression, Value[] messages) {
+        return Evaluation.compile(expression, this).evaluate(messages, NOTHING);
+    }
+
+    /**
+     * Whether a condition that reads no variables is true.
+     *
+     * @param messages by position of the port, null for silence
+     * @throws Fault where it cannot be computed
+     */
+    public boolean isTrue(Expression condition, Value[] messages) {
+        return Evaluation.compile(condition, this).isTrue(messages, NOTHING);
     }
 
     /** The expression with values in the place of all names but those of ports. */

@@ -1,17 +1,30 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.automaton.exploration.Confirmation;
+import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.bits.BitLogic;
+import arcomat.analysis.reachability.Logic;
+import arcomat.analysis.reachability.Reachability;
+import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.Subject;
+import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.smt.LinearLogic;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
 
+import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 
 /** What the analyses say about models. */
 final class Models {
+    static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
+
     private Models() {}
 
     /** Of all components with automata; parameters without a default have their first value. */
@@ -25,6 +38,18 @@ final class Models {
                         ? Promise.required(component, arguments(component))
                         : Promise.of(component, arguments(component));
         return Analyses.examine(promise, List.of(), Budget.ofMemory());
+    }
+
+    /** What solvers answer, one after the other; runs count that the automaton agrees with. */
+    static Map<RunProperty, Reachability> answers(
+            Subject subject, Collection<RunProperty> asked, List<Logic.Kind<?>> solvers) {
+        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
+        return SymbolicSearch.answer(
+                subject,
+                asked,
+                solvers,
+                (question, run) -> confirmation.of(question, run).isPresent(),
+                () -> false);
     }
 
     static List<Value> arguments(Component component) {

@@ -3,18 +3,13 @@ package arcomat.analysis.automaton;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.automaton.NaiveExploration.Overlapping;
-import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.RunProperties;
-import arcomat.analysis.automaton.exploration.Stepper;
-import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
-import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.LinearLogic;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.models.ReadModels;
@@ -171,16 +166,10 @@ class NaiveAgreementTest {
         Exploration explored = new Exploration(subject, situation -> {}, Budget.ofMemory());
         explored.run();
         assertThat(explored.isComplete()).isTrue();
-        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
         NaiveExploration naive = NaiveExploration.of(component);
 
         Map<RunProperty, Reachability> outcomes =
-                SymbolicSearch.answer(
-                        subject,
-                        new RunProperties(subject).all(),
-                        List.of(solver),
-                        (question, run) -> confirmation.of(question, run).isPresent(),
-                        () -> false);
+                Models.answers(subject, new RunProperties(subject).all(), List.of(solver));
 
         outcomes.forEach(
                 (question, outcome) -> {
@@ -225,7 +214,7 @@ class NaiveAgreementTest {
 
     @Provide
     Arbitrary<Logic.Kind<?>> solvers() {
-        return Arbitraries.of(LinearLogic.KIND, BitLogic.KIND);
+        return Arbitraries.of(Models.SOLVERS);
     }
 
     @Provide

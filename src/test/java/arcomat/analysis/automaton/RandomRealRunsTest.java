@@ -2,19 +2,15 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.RunProperties;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Stepper;
 import arcomat.analysis.automaton.exploration.Visit;
-import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.Reachability.Reachable;
 import arcomat.analysis.reachability.Reachability.Unreachable;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
-import arcomat.analysis.reachability.SymbolicSearch;
-import arcomat.analysis.smt.LinearLogic;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -65,7 +61,8 @@ class RandomRealRunsTest {
         for (int seed = 0; seed < MODELS; seed++) {
             String text = text(new Random(seed));
             Subject subject = subject(text);
-            Map<RunProperty, Reachability> answers = answers(subject);
+            Map<RunProperty, Reachability> answers =
+                    Models.answers(subject, new RunProperties(subject).all(), Models.SOLVERS);
             answers.values()
                     .forEach(
                             each ->
@@ -119,16 +116,6 @@ class RandomRealRunsTest {
                 ReadModels.model(new SourceFile("Random.arc", text)).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         return Subject.of(component, automaton, List.of());
-    }
-
-    private static Map<RunProperty, Reachability> answers(Subject subject) {
-        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
-        return SymbolicSearch.answer(
-                subject,
-                new RunProperties(subject).all(),
-                List.of(LinearLogic.KIND, BitLogic.KIND),
-                (question, run) -> confirmation.of(question, run).isPresent(),
-                () -> false);
     }
 
     private static void follow(

@@ -2,18 +2,13 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.automaton.exploration.Confirmation;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.RunProperties;
-import arcomat.analysis.automaton.exploration.Stepper;
-import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
-import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.LinearLogic;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -25,7 +20,6 @@ import org.junit.jupiter.api.TestFactory;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,8 +32,6 @@ import java.util.stream.Stream;
  */
 class SolverAnswersTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/solver.txt");
-
-    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
 
     @TestFactory
     Stream<DynamicTest> answers() {
@@ -69,14 +61,15 @@ class SolverAnswersTest {
                 asked.put(words, question);
             }
         }
-        Map<RunProperty, Reachability> outcomes = outcomes(subject, asked.values(), SOLVERS);
+        Map<RunProperty, Reachability> outcomes =
+                Models.answers(subject, asked.values(), Models.SOLVERS);
         List<String> lines = new ArrayList<>();
         asked.forEach(
                 (words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
         assertThat(lines).containsExactlyElementsOf(expected.stream().map(String::strip).toList());
         compareWithTrying(subject, outcomes);
-        for (Logic.Kind<?> solver : SOLVERS) {
-            compare(outcomes(subject, asked.values(), List.of(solver)), outcomes);
+        for (Logic.Kind<?> solver : Models.SOLVERS) {
+            compare(Models.answers(subject, asked.values(), List.of(solver)), outcomes);
         }
     }
 
@@ -89,17 +82,6 @@ class SolverAnswersTest {
                         assertThat(answer(outcome)).isEqualTo(answer(together.get(question)));
                     }
                 });
-    }
-
-    private static Map<RunProperty, Reachability> outcomes(
-            Subject subject, Collection<RunProperty> asked, List<Logic.Kind<?>> solvers) {
-        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
-        return SymbolicSearch.answer(
-                subject,
-                asked,
-                solvers,
-                (question, run) -> confirmation.of(question, run).isPresent(),
-                () -> false);
     }
 
     private static String answer(Reachability outcome) {
