@@ -74,10 +74,6 @@ public final class PagePacker {
     /** Empty lines as well. */
     private static final Pattern INDENTATION = Pattern.compile("(?m)^\\s+");
 
-    /** A line break of the compiler's between two tokens that need none, nor a blank. */
-    private static final Pattern NEEDLESS_BREAK =
-            Pattern.compile("(?<=[;{},(=?:&|])\\n|\\n(?=[;{},()\\[])");
-
     private static final String LAYOUT = "klay.js";
     private static final String EXPORT = "export ";
 
@@ -114,9 +110,8 @@ public final class PagePacker {
         styles.append("#floor {\n" + Files.readString(report.resolve("replay/replay.css")) + "}\n");
         styles.append(Files.readString(sources.resolve("live.css")));
         List<String> scripts = new ArrayList<>();
-        String core = NEEDLESS_BREAK.matcher(Files.readString(Path.of(args[1]))).replaceAll("");
-        scripts.add(kept("code-core", readOnce(core)));
-        scripts.add(kept("code-worker", Files.readString(sources.resolve("worker.js"))));
+        scripts.add(kept("code-core", PackedCore.script(Path.of(args[1]))));
+        scripts.add(kept("code-worker", worker(sources)));
         scripts.add(script("", shortened(Files.readString(sources.resolve("beginning.js")))));
         scripts.add(kept("code-layout", read(jars, "klayjs", LAYOUT)));
         String example = Files.readString(sources.resolve("example.json"));
@@ -223,22 +218,13 @@ public final class PagePacker {
         }
     }
 
-    /**
-     * The core is one large function, which a browser reads ahead and then once more where it is
-     * called, unless it stands in brackets of its own, as what is called at once.
-     */
-    private static String readOnce(String core) {
-        String begin = "}(function(";
-        String end = "}));";
-        String code = core.strip();
-        int at = code.indexOf(begin);
-        if (at < 0 || !code.endsWith(end)) {
-            throw new IllegalStateException("the compiler has another frame around the core");
+    /** What unpacks and asks the core, in the order in which it is used. */
+    private static String worker(Path sources) throws IOException {
+        StringBuilder all = new StringBuilder();
+        for (String name : List.of("unpack", "core", "worker")) {
+            all.append(shortened(Files.readString(sources.resolve(name + ".js"))));
         }
-        return code.substring(0, at)
-                + "}((function("
-                + code.substring(at + begin.length(), code.length() - end.length())
-                + "})));";
+        return all.toString();
     }
 
     /** Kept until it is asked for. */

@@ -1,6 +1,7 @@
 package org.teavm.classlib.impl.text;
 
-import org.teavm.jso.JSBody;
+import org.teavm.interop.Import;
+import org.teavm.jso.core.JSString;
 
 /** The shortest decimal digits that tell a number from all others, as the browser finds them. */
 public final class DoubleAnalyzer {
@@ -32,7 +33,7 @@ public final class DoubleAnalyzer {
      */
     public static void analyze(double value, Result result) {
         result.sign = Double.doubleToLongBits(value) < 0;
-        String text = scientific(Math.abs(value));
+        String text = scientific(Math.abs(value)).stringValue();
         int end = text.indexOf('e');
         result.exponent = Integer.parseInt(text.substring(end + 1));
         long unit = DOUBLE_MAX_POS;
@@ -46,6 +47,6 @@ public final class DoubleAnalyzer {
     }
 
     /** Such as {@code 1.5e-7}. */
-    @JSBody(params = "value", script = "return value.toExponential();")
-    private static native String scientific(double value);
+    @Import(module = "numbers", name = "scientific")
+    private static native JSString scientific(double value);
 }

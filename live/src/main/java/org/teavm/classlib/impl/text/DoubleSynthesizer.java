@@ -1,6 +1,7 @@
 package org.teavm.classlib.impl.text;
 
-import org.teavm.jso.JSBody;
+import org.teavm.interop.Import;
+import org.teavm.jso.core.JSString;
 
 /** The number that is nearest to some decimal digits, as the browser finds it. */
 public final class DoubleSynthesizer {
@@ -15,10 +16,10 @@ public final class DoubleSynthesizer {
      */
     public static double synthesizeDouble(long mantissa, int exponent, boolean isNegative) {
         String digits = Long.toUnsignedString(mantissa);
-        double size = nearest(digits + "e" + (exponent - FRACTION));
+        double size = nearest(JSString.valueOf(digits + "e" + (exponent - FRACTION)));
         return isNegative ? -size : size;
     }
 
-    @JSBody(params = "text", script = "return +text;")
-    private static native double nearest(String text);
+    @Import(module = "numbers", name = "nearest")
+    private static native double nearest(JSString text);
 }
