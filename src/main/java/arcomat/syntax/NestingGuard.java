@@ -16,6 +16,10 @@ import java.util.Arrays;
 final class NestingGuard {
     static final int LIMIT = 1000;
 
+    /** Fits a stack of a megabyte, of which a browser's frames take more than Java's. */
+    static final int LIMIT_OF_SMALL_STACK = 300;
+
+    private final int limit;
     private int[] outer = new int[64];
     private int[] tightOutside = new int[64];
     private int open;
@@ -27,6 +31,13 @@ final class NestingGuard {
     private int deepest;
     private int previous;
     private int beforePrevious;
+
+    /**
+     * @param limit so many levels are not too deep
+     */
+    NestingGuard(int limit) {
+        this.limit = limit;
+    }
 
     /** Takes the next token; true if it lies too deep. */
     boolean isTooDeep(Token token) {
@@ -60,7 +71,7 @@ final class NestingGuard {
         beforePrevious = previous;
         previous = type;
         deepest = Math.max(deepest, depth);
-        return depth > LIMIT;
+        return depth > limit;
     }
 
     /** The greatest depth of the tokens taken so far. */

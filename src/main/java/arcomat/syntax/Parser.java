@@ -26,11 +26,16 @@ public final class Parser {
     }
 
     /**
-     * The same on the caller's stack, for where there are no threads, as in a browser: what is
-     * nested deeply may not fit.
+     * The same on the caller's stack, for where there are no threads, as in a browser: less may be
+     * nested, so that it fits.
      */
     public static Parsed parseHere(SourceFile file) {
-        return Reading.use(file, Leaves.OMITTED, Supplier::get, Parser::parsed);
+        return Reading.use(
+                file,
+                Leaves.OMITTED,
+                NestingGuard.LIMIT_OF_SMALL_STACK,
+                Supplier::get,
+                Parser::parsed);
     }
 
     /**
@@ -53,7 +58,11 @@ public final class Parser {
     /** The same on the caller's stack. */
     public static Optional<Translated> parseHere(SourceFile file, UnaryOperator<Span> places) {
         return Reading.use(
-                file, Leaves.OMITTED, Supplier::get, reading -> translated(reading, places));
+                file,
+                Leaves.OMITTED,
+                NestingGuard.LIMIT,
+                Supplier::get,
+                reading -> translated(reading, places));
     }
 
     private static Optional<Translated> translated(Reading reading, UnaryOperator<Span> places) {

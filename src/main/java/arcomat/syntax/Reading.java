@@ -56,13 +56,22 @@ record Reading(
 
     /** Reads a file and gives the reading to a task that may recurse as deep as the text nests. */
     static <T> T use(SourceFile file, Leaves leaves, Function<Reading, T> task) {
-        return use(file, leaves, DeepStack::call, task);
+        return use(file, leaves, NestingGuard.LIMIT, DeepStack::call, task);
     }
 
-    /** The same where somebody else has room for what is nested deeply. */
-    static <T> T use(SourceFile file, Leaves leaves, Depth<T> depth, Function<Reading, T> task) {
+    /**
+     * The same where somebody else has room for what is nested deeply.
+     *
+     * @param limit what is nested in more levels is not read
+     */
+    static <T> T use(
+            SourceFile file,
+            Leaves leaves,
+            int limit,
+            Depth<T> depth,
+            Function<Reading, T> task) {
         CommonTokenStream tokens = tokens(file);
-        TokenChecks checks = TokenChecks.of(file, tokens.getTokens());
+        TokenChecks checks = TokenChecks.of(file, tokens.getTokens(), limit);
         if (checks.depth() < DEEP || !checks.findings().isEmpty()) {
             return task.apply(of(file, tokens, leaves, checks.findings()));
         }

@@ -8,6 +8,7 @@ import org.antlr.v4.runtime.Token;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * What can be said of a text before it is parsed. With a finding here it is not parsed at all.
@@ -18,14 +19,16 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
 
     /**
      * @param tokens all tokens of the file, the end of the file included
+     * @param limit so many levels are not too deep
      */
-    static TokenChecks of(SourceFile file, List<Token> tokens) {
-        NestingGuard guard = new NestingGuard();
-        List<Diagnostic> findings = check(file, tokens, guard);
+    static TokenChecks of(SourceFile file, List<Token> tokens, int limit) {
+        NestingGuard guard = new NestingGuard(limit);
+        List<Diagnostic> findings = check(file, tokens, guard, limit);
         return new TokenChecks(findings, guard.deepest());
     }
 
-    private static List<Diagnostic> check(SourceFile file, List<Token> tokens, NestingGuard guard) {
+    private static List<Diagnostic> check(
+            SourceFile file, List<Token> tokens, NestingGuard guard, int limit) {
         List<Diagnostic> findings = new ArrayList<>(0);
         boolean empty = true;
         boolean invariants = false;
@@ -36,7 +39,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
             empty = false;
             invariants |= InvariantEnd.begins(token);
             if (guard.isTooDeep(token)) {
-                findings.add(tooDeep(file, token));
+                findings.add(tooDeep(file, token, limit));
                 return findings;
             }
             if (token.getType() == ArcomatLexer.UNCLOSED_STRING) {
@@ -53,13 +56,16 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
         return findings;
     }
 
-    private static Diagnostic tooDeep(SourceFile file, Token token) {
+    private static Diagnostic tooDeep(SourceFile file, Token token, int limit) {
         return Diagnostic.error(
                 Codes.NESTING,
                 file.span(token.getStartIndex(), token.getStopIndex() + 1),
-                "This is nested more than 1,000 levels deep. Split it: name the parts of a long"
-                        + " expression by variables, or a component's parts by components of their"
-                        + " own.");
+                String.format(
+                        Locale.ROOT,
+                        "This is nested more than %,d levels deep. Split it: name the parts of a"
+                                + " long expression by variables, or a component's parts by"
+                                + " components of their own.",
+                        limit));
     }
 
     private static Diagnostic unclosedString(SourceFile file, Token token) {

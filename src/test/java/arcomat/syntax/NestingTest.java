@@ -78,6 +78,20 @@ class NestingTest {
         assertTooDeep(Texts.expression(nested(before, middle, after, TOO_DEEP)));
     }
 
+    /** As in a browser, where no other stack can be had. */
+    @Test
+    void lessIsReadOnTheCallersStack() {
+        Parsed fine = Parser.parseHere(Texts.expression(nested("(", "a", ")", 250)));
+        assertThat(fine.findings()).isEmpty();
+        Parsed deep = Parser.parseHere(Texts.expression(nested("(", "a", ")", 350)));
+        assertThat(deep.unit()).isEmpty();
+        assertThat(deep.findings())
+                .singleElement()
+                .extracting(Diagnostic::message)
+                .asString()
+                .contains("more than 300 levels");
+    }
+
     private static String nested(String before, String middle, String after, int levels) {
         return before.repeat(levels) + middle + after.repeat(levels);
     }

@@ -47,6 +47,8 @@ public final class CoreCompiler {
         tool.setIncremental(false);
         tool.getTransformers().add(NeedlessTexts.class.getName());
         tool.getTransformers().add(NeverMade.class.getName());
+        tool.getTransformers().add(EmptyMaps.class.getName());
+        tool.getTransformers().add(JavaDivisions.class.getName());
         tool.setLog(new EmptyTeaVMToolLog());
         tool.generate();
         List<String> problems =
