@@ -67,7 +67,8 @@ if [ "$archive" != none ] && ! made_for; then
 fi
 
 # An archive that does not fit is passed over; nobody needs to be told. It is mapped where it was made for: elsewhere,
-# every start would write new addresses into all of it. A Java that does not know how need not fail.
+# every start would write new addresses into all of it. A Java that does not know how need not fail. No option is a date,
+# so that their classes need not be loaded.
 exec "$java" -Xshare:auto -XX:SharedArchiveFile="$archive" -Xlog:disable \
     -XX:+IgnoreUnrecognizedVMOptions -XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 \
-    -XX:+UseSerialGC $compiler $watched ${columns:+"-Darcomat.columns=$columns"} $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"
+    -XX:+UseSerialGC $compiler -Dpicocli.converters.excludes='java.(sql|time).*' $watched ${columns:+"-Darcomat.columns=$columns"} $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"

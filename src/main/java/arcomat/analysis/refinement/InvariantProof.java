@@ -179,7 +179,8 @@ public final class InvariantProof {
             Counterexample found = inclusion.counterexample(result.failure().get());
             List<Moment> slices = told.slices(found.moments());
             List<Sentence> explanation = told.explanation(invariant, found.forbidden(), slices);
-            return Verdict.breaks(slices, explanation, explored(inclusion));
+            return Verdict.breaks(slices, explanation, explored(inclusion))
+                    .afterInputs(slices.size(), inclusion);
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {

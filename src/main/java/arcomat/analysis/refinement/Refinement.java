@@ -32,9 +32,6 @@ public final class Refinement {
     private final ComparedSystems systems;
     private final TraceInclusion inclusion;
 
-    private static final String NOT_SHORTEST =
-            "not all inputs could be told apart: there may be a shorter run";
-
     private Refinement(
             Promise left, Promise right, Budget budget, Optional<PairStore.Maker> stores) {
         this.left = left;
@@ -245,8 +242,7 @@ public final class Refinement {
     private Verdict found(Consumer<Supplier<Optional<Certificate>>> proof) {
         TraceInclusion.Result result = inclusion.run();
         if (result.failure().isPresent()) {
-            Verdict verdict = failure(result.failure().get(), this::explored);
-            return inclusion.missing().isPresent() ? verdict.with(NOT_SHORTEST) : verdict;
+            return failure(result.failure().get(), this::explored);
         }
         Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {
@@ -312,9 +308,10 @@ public final class Refinement {
         }
         Counterexample found = inclusion.counterexample(failure);
         List<Moment> trace = found.moments();
-        List<Sentence> explanation =
-                Explanation.of(left, right, found.forbidden(), trace.size() - 1);
-        Verdict verdict = Verdict.fails(trace, explanation, explored.get());
+        int inputs = trace.size() - 1;
+        List<Sentence> explanation = Explanation.of(left, right, found.forbidden(), inputs);
+        Verdict verdict =
+                Verdict.fails(trace, explanation, explored.get()).afterInputs(inputs, inclusion);
         List<String> shifted =
                 systems.shifted().stream().filter(port -> isAsked(right, port)).toList();
         return shifted.isEmpty() ? verdict : verdict.with(shifted(shifted));

@@ -21,7 +21,8 @@ import java.util.stream.Stream;
  *     invariant}; of an unknown what stood in the way; else empty
  * @param simulation whether a simulation was found; empty where that was not asked or not decided
  * @param trace a shortest run that the right side forbids, the initial outputs first; of an
- *     invariant, slice by slice what can be seen, the last one breaks it; only of a failure
+ *     invariant, slice by slice what can be seen, the last one breaks it; only of a failure; where
+ *     there {@link #mayBeShorter may be a shorter one}, a note says so
  * @param explanation why it fails, in sentences, each with the place that it is about
  * @param notes what else a reader should know: that it holds because nothing is promised, or fails
  *     only because outputs come late, say
@@ -45,6 +46,9 @@ public record Verdict(
     private static final String PROVED =
             "proved symbolically: an inductive invariant of %s, verified;"
                     + " not all pairs were explored";
+
+    private static final String SHORTER =
+            "not all inputs could be told apart: there may be a shorter run";
 
     /** Whether a question is answered with yes, no, or not at all. */
     public enum Answer {
@@ -189,6 +193,20 @@ public record Verdict(
                                                         : clauses + " clauses")));
         all.addAll(notes);
         return new Verdict(answer, reason, simulation, trace, explanation, all, explored);
+    }
+
+    /** Whether there may be a shorter run than the one that is told. */
+    public boolean mayBeShorter() {
+        return notes.contains(SHORTER);
+    }
+
+    /**
+     * With a note where the search may have missed a shorter run.
+     *
+     * @param inputs of the run that is told
+     */
+    Verdict afterInputs(int inputs, TraceInclusion search) {
+        return inputs > 1 && search.missing().isPresent() ? with(SHORTER) : this;
     }
 
     /** Not even begun. */

@@ -32,6 +32,12 @@ public final class Suppressions {
         private boolean covers(Diagnostic finding) {
             return code.equals(finding.code()) && element.isAround(finding.span());
         }
+
+        /** As {@link Span}'s own: Java would put the record's together when it is first asked. */
+        @Override
+        public int hashCode() {
+            return place.hashCode();
+        }
     }
 
     /** The parts of a value that is well-formed. */

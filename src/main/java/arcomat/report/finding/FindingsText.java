@@ -112,9 +112,9 @@ public final class FindingsText {
         return out.toString();
     }
 
-    /** The same on every machine. */
+    /** The same on every machine. What Java knows of locales is not loaded for a short number. */
     public static String digits(long number) {
-        return String.format(Locale.ROOT, "%,d", number);
+        return number < 1000 ? Long.toString(number) : String.format(Locale.ROOT, "%,d", number);
     }
 
     /** {@code 1 file}, {@code 2 files}. */
