@@ -1,7 +1,7 @@
 // What the core asks of its browser. It is a module of WebAssembly, and wants all of this under the names that its compiler, TeaVM, gives. TeaVM
 // brings functions of its own for that, but makes some of them out of texts, which the page's policy forbids.
 
-const TOO_OLD = 'this browser is too old for the page: it does not run WebAssembly with a garbage collector, as browsers do since 2024';
+const TOO_OLD = 'this browser is too old for the page: it needs one as of 2025, which runs WebAssembly with a garbage collector';
 
 /** What the core counts its memory in, and the most of them that it asks for. */
 const MOST_PAGES = 32768, PAGE_BYTES = 65536;
@@ -12,10 +12,10 @@ const THING = Symbol('thing');
 /** An exception of Java's: the core has ended the question as it should. */
 class Thrown extends Error {}
 
-/** @param bytes the core as its compiler wrote it */
-async function compile(bytes) {
+/** @param packed the core as it lies in the page */
+async function compile(packed) {
     try {
-        return await WebAssembly.compile(bytes, { builtins: ['js-string'] });
+        return await WebAssembly.compile(unpack(Uint8Array.fromBase64(packed)), { builtins: ['js-string'] });
     } catch {
         throw new Error(TOO_OLD);
     }

@@ -1,25 +1,24 @@
 // In a worker, behind the core: one question after the other.
 
-const module = compile(unpack(Uint8Array.fromBase64(packed)));
+const module = compile(packed);
 
 /** What lies on the desk. */
 let checked = null;
-let desk = begun();
+let desk = null;
 let turn = Promise.resolve();
 
-/**
- * A core with what lies on the desk. After an error that Java does not know, such as a stack that is full, the one before
- * may have stopped in the middle of something, and gives no answer any more.
- */
-async function begun() {
-    const fresh = await begin(await module);
-    if (checked) {
-        fresh.check(...checked);
-    }
-    return fresh;
+/** Begins a core with what lies on the desk. That there is none is told to who asks. */
+function take() {
+    desk = module.then(begin).then((fresh) => {
+        if (checked) {
+            fresh.check(...checked);
+        }
+        return fresh;
+    });
+    desk.catch(() => {});
 }
 
-async function take({ id, ask, args }) {
+async function answerTo({ id, ask, args }) {
     try {
         const answer = (await desk)[ask](...args);
         if (ask === 'check') {
@@ -28,12 +27,14 @@ async function take({ id, ask, args }) {
         self.postMessage({ id, answer });
     } catch (problem) {
         self.postMessage({ id, problem: String((problem && problem.message) || problem) });
+        // Where Java knows nothing of an error, as of a stack that is full, the core may have stopped in the middle of something.
         if (!(problem instanceof Thrown)) {
-            desk = begun();
+            take();
         }
     }
 }
 
 self.onmessage = (event) => {
-    turn = turn.then(() => take(event.data));
+    turn = turn.then(() => answerTo(event.data));
 };
+take();

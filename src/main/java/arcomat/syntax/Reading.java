@@ -65,11 +65,7 @@ record Reading(
      * @param limit what is nested in more levels is not read
      */
     static <T> T use(
-            SourceFile file,
-            Leaves leaves,
-            int limit,
-            Depth<T> depth,
-            Function<Reading, T> task) {
+            SourceFile file, Leaves leaves, int limit, Depth<T> depth, Function<Reading, T> task) {
         CommonTokenStream tokens = tokens(file);
         TokenChecks checks = TokenChecks.of(file, tokens.getTokens(), limit);
         if (checks.depth() < DEEP || !checks.findings().isEmpty()) {

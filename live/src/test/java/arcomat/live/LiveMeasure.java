@@ -12,7 +12,8 @@ import java.util.Map;
 
 /**
  * How long one waits on the page: for its first answer, and after a key in a model of 275 lines.
- * Times are taken by the page itself, from the key to the findings on the screen.
+ * Times are taken by the page itself, from the key to the findings on the screen. Keys are the
+ * first ones on a page that has just been opened, whose browser has made nothing fast yet.
  */
 final class LiveMeasure {
     private static final int STARTS = 5;
@@ -60,7 +61,6 @@ final class LiveMeasure {
             }
             say("first answer after the page is opened", first, 1000);
             load(browser);
-            typed(browser, WRITTEN); // so that all is warm, as after the first words
             List<Double> times = new ArrayList<>();
             for (int i = 0; i < 3; i++) {
                 load(browser);

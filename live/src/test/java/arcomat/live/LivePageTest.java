@@ -63,6 +63,7 @@ class LivePageTest extends BrowserTest {
         tests.put("floor changes", this::runsWhatIsWritten);
         tests.put("no floor", this::saysThatThereIsNoWorld);
         tests.put("remembers", this::remembersInItsAddress);
+        tests.put("old browser", this::tellsThatABrowserIsTooOld);
         tests.put("phone", this::fitsAPhone);
         tests.put("floor on a phone", this::floorFitsAPhone);
         return tests;
@@ -374,6 +375,15 @@ class LivePageTest extends BrowserTest {
         browser.open("about:blank", "html");
         browser.open(String.valueOf(before), "body[data-checked]");
         assertThat(browser.text(".cm-content")).contains("component Door");
+    }
+
+    private void tellsThatABrowserIsTooOld() {
+        LivePage.open(browser);
+        browser.run(
+                "const known = codeOf;codeOf = (name) => (name === 'core' ? 'delete"
+                        + " WebAssembly.compile;' : '') + known(name);page.desk.stop();"
+                        + "page.check()");
+        browser.await(() -> status().contains("this browser is too old for the page"));
     }
 
     private void fitsAPhone() {

@@ -27,6 +27,8 @@ class SameAnswersTest extends BrowserTest {
     /** The first of them, with what is around them, are enough. */
     private static final int CELLS = 5;
 
+    private static final String LEAST = "a = -9223372036854775808\nb = -1";
+
     /** Longer than any of these questions takes. */
     private static final double MILLISECONDS = 100_000;
 
@@ -37,6 +39,9 @@ class SameAnswersTest extends BrowserTest {
         tests.put("words", this::words);
         tests.put("words of worlds", this::wordsOfWorlds);
         tests.put("numbers", this::numbers);
+        tests.put("quotients", this::quotients);
+        tests.put("nested", this::nested);
+        tests.put("faults", this::faults);
         tests.put("verdicts", this::verdicts);
         tests.put("the coffee robots", this::coffee);
         tests.put("worlds", this::worlds);
@@ -142,6 +147,84 @@ class SameAnswersTest extends BrowserTest {
                 .isEqualTo(desk.run("Third", letters.toArray(new String[0]), new int[0]))
                 .contains("part = 3.3333333333333337E-6")
                 .contains("part = 4115226.3");
+    }
+
+    /** Where WebAssembly by itself would divide no more: by nothing, and the least number by -1. */
+    private void quotients() {
+        String model =
+                """
+                component Quotient {
+                    timing instant;
+                    port in Long a, in Long b, out Long quotient, out Long remainder;
+
+                    automaton {
+                        state only;
+                        initial only;
+                        only -> only [a == a] / {quotient = a / b, remainder = a % b};
+                    }
+                }
+                """;
+        LivePage page = LivePage.open(browser);
+        Desk desk = new Desk();
+        assertThat(page.check(Map.of("Quotient.arc", model)))
+                .isEqualTo(ModelTexts.check(desk, Map.of("Quotient.arc", model)))
+                .contains("\"whole\":true");
+        assertThat(page.ask("run", "Quotient", List.of("a = -7\nb = 2", LEAST), List.of()))
+                .isEqualTo(desk.run("Quotient", new String[] {"a = -7\nb = 2", LEAST}, new int[0]))
+                .contains("quotient = -3")
+                .contains("quotient = -9223372036854775808");
+        assertThat(page.ask("run", "Quotient", List.of("a = 1\nb = 0"), List.of()))
+                .isEqualTo(desk.run("Quotient", new String[] {"a = 1\nb = 0"}, new int[0]));
+    }
+
+    /** What is nested as deep as may be has room on the stack, and what is deeper is a finding. */
+    private void nested() {
+        LivePage page = LivePage.open(browser);
+        Desk desk = new Desk();
+        for (int levels : new int[] {290, 310}) {
+            for (String expression :
+                    List.of(
+                            "(".repeat(levels) + "a" + ")".repeat(levels),
+                            "a" + " + 1".repeat(levels),
+                            "- ".repeat(levels) + "a")) {
+                Map<String, String> texts = Map.of("Deep.arc", deep("a == " + expression));
+                assertThat(page.check(texts))
+                        .isEqualTo(ModelTexts.check(desk, texts))
+                        .contains(levels < 300 ? "\"whole\":true" : "ARC0006");
+                assertThat(page.ask("graph", "Deep", 0, List.of()))
+                        .isEqualTo(desk.graph("Deep", 0, new String[0]));
+                assertThat(page.ask("run", "Deep", List.of("a = 1"), List.of()))
+                        .isEqualTo(desk.run("Deep", new String[] {"a = 1"}, new int[0]));
+            }
+        }
+        Map<String, String> row = Map.of("Deep.arc", deep("a == 1" + " && a == 1".repeat(2000)));
+        assertThat(page.check(row)).isEqualTo(ModelTexts.check(desk, row));
+    }
+
+    private static String deep(String condition) {
+        return """
+        component Deep {
+            timing instant;
+            port in Integer a, out Integer b;
+
+            automaton {
+                state only;
+                initial only;
+                only -> only [%s] / {b = 1};
+            }
+        }
+        """
+                .formatted(condition);
+    }
+
+    /** Behind an error that ends a core, another one has the same on its desk. */
+    private void faults() {
+        LivePage page = LivePage.open(browser);
+        page.check(Map.of("Chain.arc", ChainModel.TEXT));
+        String components = page.ask("components");
+        assertThat(page.ask("complete", "Chain.arc", ChainModel.TEXT, -1)).startsWith("Error");
+        assertThat(page.ask("nothing")).startsWith("Error");
+        assertThat(page.ask("components")).isEqualTo(components).contains("Chain.Cell0");
     }
 
     /** Of cases that once went wrong: verdicts with their counterexamples, and runs. */

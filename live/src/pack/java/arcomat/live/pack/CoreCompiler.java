@@ -16,8 +16,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Compiles the core to one module of WebAssembly. What a browser does not have is a problem, with the method that
- * asks for it: it has to stay out of what the live page can reach.
+ * Compiles the core to one module of WebAssembly. What a browser does not have is a problem, with
+ * the method that asks for it: it has to stay out of what the live page can reach.
  */
 public final class CoreCompiler {
     private static final String BEGINNING = "arcomat.live.browser.Door";
