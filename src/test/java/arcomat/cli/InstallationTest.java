@@ -58,12 +58,14 @@ class InstallationTest {
         assertThat(run(temporary, "chek").status()).isEqualTo(2);
     }
 
-    /** An editor waits for a server's first findings while its classes are loaded. */
+    /** One waits for an answer, and an editor for first findings, while classes are loaded. */
     @Test
-    void theArchiveHoldsWhatChecksAndTheLanguageServerLoad() throws Exception {
+    void theArchiveHoldsWhatCommandsAndTheLanguageServerLoad() throws Exception {
         for (String[] each :
                 new String[][] {
                     {"arcomat.check.Checks", "check", MODELS},
+                    {"arcomat.analysis.game.Game", "contradictions", "coffee.floor.Drive", MODELS},
+                    {"arcomat.simulate.test.StreamTests", "test", MODELS},
                     {"arcomat.editor.desk.Desk", "language-server"},
                     {"com.google.gson.Gson", "language-server"}
                 }) {

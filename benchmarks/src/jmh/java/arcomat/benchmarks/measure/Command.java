@@ -38,7 +38,8 @@ public final class Command {
     }
 
     /**
-     * A program of ours in a process of its own, with as many classes as this one has.
+     * A program of ours in a process of its own, with as many classes as this one has, and compiled
+     * as the start script wants it.
      *
      * @param memory the most that its heap may take, {@code 2g}
      */
@@ -49,6 +50,7 @@ public final class Command {
                                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                                 "-Xmx" + memory,
                                 "-XX:+UseSerialGC",
+                                "-XX:CompileThresholdScaling=3",
                                 "-cp",
                                 System.getProperty("java.class.path"),
                                 program.getName()));

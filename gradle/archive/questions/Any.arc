@@ -1,0 +1,8 @@
+component Any {
+    port in Boolean i, out Boolean o;
+
+    <<completion = "output">> automaton {
+        state s;
+        initial s;
+    }
+}
