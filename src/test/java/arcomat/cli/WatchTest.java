@@ -25,8 +25,11 @@ class WatchTest {
 
     @TempDir private Path folder;
 
+    /** Hears Ctrl-C, also where whoever started the tests in the background does not. */
     private Process watch(String... options) throws IOException {
-        List<String> command = new ArrayList<>(List.of(COMMAND.toString(), "watch"));
+        List<String> command =
+                new ArrayList<>(
+                        List.of("env", "--default-signal=INT", COMMAND.toString(), "watch"));
         command.addAll(List.of(options));
         command.add("mower");
         return new ProcessBuilder(command)

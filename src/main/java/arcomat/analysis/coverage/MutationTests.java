@@ -19,7 +19,7 @@ import java.util.function.Function;
  * that run is one more test. Time-synchronous: an event-driven test looks at whole streams only.
  */
 final class MutationTests {
-    /** Work in all, in steps that are computed: seconds, the same on every machine. */
+    /** Work in all: how often the budget is asked, which takes as often on every machine. */
     private static final long PATIENCE = 3_000_000;
 
     /** For one of many mistakes: it must not use up what there is for all. */
