@@ -113,6 +113,18 @@ class ResultPagesTest {
     }
 
     @Test
+    void whatHoldsNamesTheCommandThatWritesDownWhy() throws Exception {
+        write("Door.arc", DOOR.replace("<<completion", "inv closes: left < 3; <<completion"));
+        assertThat(firstVerdict().facts())
+                .anyMatch(fact -> fact.text().startsWith("'arcomat verify --certificate FILE'"));
+        Files.delete(folder.resolve("Door.arc"));
+        write("House.arc", DOOR.replace("Door", "House"));
+        write("Door.arc", DOOR.replace("component Door {", "component Door refines House {"));
+        assertThat(firstVerdict().facts())
+                .anyMatch(fact -> fact.text().startsWith("'arcomat refines --certificate FILE'"));
+    }
+
+    @Test
     void aPartMayBeCalledState() throws Exception {
         write("Door.arc", DOOR);
         write(

@@ -63,10 +63,11 @@ final class VerdictFacts {
     private static String next(Answered answered) {
         return switch (answered.verdict().answer()) {
             case HOLDS ->
-                    answered.question() == Answered.Question.INVARIANT
-                            ? "nothing has to be done; a change of the model asks again"
-                            : "'arcomat refines --certificate FILE' writes down why, to be verified"
-                                    + " without the search";
+                    "'arcomat %s --certificate FILE' writes down why, to be verified without the search"
+                            .formatted(
+                                    answered.question() == Answered.Question.INVARIANT
+                                            ? "verify"
+                                            : "refines");
             case FAILS ->
                     answered.verdict().trace().isEmpty()
                             ? "change what the sentences below name, and ask again"
