@@ -4,6 +4,7 @@ import arcomat.analysis.reachability.Instant;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
+import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -13,15 +14,19 @@ import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.IntPredicate;
 import java.util.function.IntSupplier;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /**
- * Where an automaton is at one point of a run, in bits. Objects may be anything, as may what has no
+ * Where an automaton is at one point of a run, in bits. An object is what is read of it, each
+ * attribute by itself; objects that are remembered or compared may be anything, as may what has no
  * circuit.
  */
 final class BitInstant implements Instant<int[]> {
@@ -33,7 +38,7 @@ final class BitInstant implements Instant<int[]> {
     private final Runnable inexact;
     private final int[] states;
     private final Map<String, int[]> variables = new HashMap<>();
-    private final Map<String, int[]> objects = new HashMap<>();
+    private final Map<String, int[]> parts = new HashMap<>();
     private final Map<String, Integer> present = new HashMap<>();
 
     /**
@@ -64,8 +69,16 @@ final class BitInstant implements Instant<int[]> {
     }
 
     private int[] any(Type type) {
+        return orAnything(() -> values.any(type));
+    }
+
+    private int[] some(Type type) {
+        return orAnything(() -> values.some(type));
+    }
+
+    private int[] orAnything(Supplier<int[]> bits) {
         try {
-            return values.any(type);
+            return bits.get();
         } catch (GivenUp noBits) {
             inexact.run();
             return circuit.input(Integer.SIZE);
@@ -114,14 +127,20 @@ final class BitInstant implements Instant<int[]> {
                     .constant(read);
         }
 
-        /** An object may be any, but is the same wherever it is read. */
+        /** An object may be any, and so may its attributes, but wherever they are read the same. */
         @Override
         public int[] instead(Expression e, GivenUp noBits) {
             inexact.run();
-            return e instanceof Expression.PortRead read
-                    ? objects.computeIfAbsent(read.port().name(), port -> any(e.type()))
+            return isOfMessage(e)
+                    ? parts.computeIfAbsent(ExpressionText.of(e), part -> some(e.type()))
                     : any(e.type());
         }
+    }
+
+    /** Whether an expression is a message or an attribute of one, or of an object in it. */
+    private static boolean isOfMessage(Expression e) {
+        return e instanceof Expression.PortRead
+                || e instanceof Expression.AttributeRead read && isOfMessage(read.object());
     }
 
     @Override
@@ -208,6 +227,25 @@ final class BitInstant implements Instant<int[]> {
                         .toList());
     }
 
+    /** A message, or an attribute of one; of what nobody reads any will do. */
+    private Value read(Expression e) {
+        if (e.type() instanceof Type.ClassType type) {
+            return new Value.ObjectValue(type, attributes(e, type));
+        }
+        int[] bits = e instanceof Expression.PortRead ? value(e) : parts.get(ExpressionText.of(e));
+        return bits == null ? e.type().first() : decoded(bits, e.type());
+    }
+
+    private List<Value> attributes(Expression object, Type.ClassType type) {
+        List<Value> values = new ArrayList<>();
+        for (Type.Attribute each : type.attributes()) {
+            int index = values.size();
+            values.add(
+                    read(new Expression.AttributeRead(object, index, each.type(), object.span())));
+        }
+        return values;
+    }
+
     private Value decoded(int[] bits, Type type) {
         try {
             return values.meaning(bits, type, isTrue);
@@ -222,7 +260,7 @@ final class BitInstant implements Instant<int[]> {
                 .map(
                         port ->
                                 isTrue.test(literal(port))
-                                        ? decoded(message(port), port.type())
+                                        ? read(new Expression.PortRead(port, port.span()))
                                         : null)
                 .toArray(Value[]::new);
     }
