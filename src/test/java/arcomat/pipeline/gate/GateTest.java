@@ -20,9 +20,10 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /** What the gate costs, and what it takes for a change. */
@@ -117,18 +118,29 @@ class GateTest {
         assertThat((double) gate / check).as("checks that a gate costs").isBetween(1.5, 3.0);
     }
 
-    /** Bytes that it asks for, whoever parses the files: which thread does is a matter of luck. */
+    /**
+     * Bytes that it asks for, whoever parses the files: which thread does is a matter of luck. What
+     * threads asked for before does not count, also where they end meanwhile.
+     */
     private static long allocated(ThrowingRunnable work) throws WrongUse {
-        long before = allocatedByAllThreads();
+        Map<Long, Long> before = allocatedByThread();
         work.run();
-        return allocatedByAllThreads() - before;
+        return allocatedByThread().entrySet().stream()
+                .mapToLong(each -> each.getValue() - before.getOrDefault(each.getKey(), 0L))
+                .sum();
     }
 
-    private static long allocatedByAllThreads() {
+    private static Map<Long, Long> allocatedByThread() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        return LongStream.of(threads.getThreadAllocatedBytes(threads.getAllThreadIds()))
-                .filter(bytes -> bytes > 0)
-                .sum();
+        long[] ids = threads.getAllThreadIds();
+        long[] bytes = threads.getThreadAllocatedBytes(ids);
+        Map<Long, Long> allocated = new HashMap<>();
+        for (int i = 0; i < ids.length; i++) {
+            if (bytes[i] > 0) {
+                allocated.put(ids[i], bytes[i]);
+            }
+        }
+        return allocated;
     }
 
     private interface ThrowingRunnable {
