@@ -1,5 +1,5 @@
-// What the core asks of its browser. It is a module of WebAssembly, and wants all of this under the names that its compiler, TeaVM, gives. TeaVM
-// brings functions of its own for that, but makes some of them out of texts, which the page's policy forbids.
+// What the core asks of its browser. It is a module of WebAssembly, and wants all of this under the names that its compiler,
+// TeaVM, gives. TeaVM brings functions of its own for that, but makes some of them out of texts, which the page's policy forbids.
 
 const TOO_OLD = 'this browser is too old for the page: it needs one as of 2025, which runs WebAssembly with a garbage collector';
 
@@ -38,7 +38,7 @@ async function begin(module) {
     return exports.Core.value();
 }
 
-/** For browsers whose WebAssembly does not know texts by itself; others do not look here. */
+/** For browsers whose WebAssembly does not know texts by itself; others do not look here. Arrays are taken letter by letter then. */
 function textFunctions() {
     return {
         'wasm:js-string': {

@@ -74,6 +74,11 @@ final class NestingGuard {
         return depth > limit;
     }
 
+    /** So many levels are not too deep. */
+    int limit() {
+        return limit;
+    }
+
     /** The greatest depth of the tokens taken so far. */
     int deepest() {
         return deepest;

@@ -23,12 +23,11 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
      */
     static TokenChecks of(SourceFile file, List<Token> tokens, int limit) {
         NestingGuard guard = new NestingGuard(limit);
-        List<Diagnostic> findings = check(file, tokens, guard, limit);
+        List<Diagnostic> findings = check(file, tokens, guard);
         return new TokenChecks(findings, guard.deepest());
     }
 
-    private static List<Diagnostic> check(
-            SourceFile file, List<Token> tokens, NestingGuard guard, int limit) {
+    private static List<Diagnostic> check(SourceFile file, List<Token> tokens, NestingGuard guard) {
         List<Diagnostic> findings = new ArrayList<>(0);
         boolean empty = true;
         boolean invariants = false;
@@ -39,7 +38,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
             empty = false;
             invariants |= InvariantEnd.begins(token);
             if (guard.isTooDeep(token)) {
-                findings.add(tooDeep(file, token, limit));
+                findings.add(tooDeep(file, token, guard.limit()));
                 return findings;
             }
             if (token.getType() == ArcomatLexer.UNCLOSED_STRING) {
