@@ -27,4 +27,16 @@ public final class ShownTracks {
         }
         return texts;
     }
+
+    /** The elements of drawings that a track marks, step by step. */
+    public static List<List<String>> elements(Track track) {
+        List<List<String>> elements = new ArrayList<>();
+        for (Track.Run run : track.runs()) {
+            for (int i = 0; i < run.length(); i++) {
+                elements.add(
+                        run.value() < 0 ? List.of() : track.values().get(run.value()).elements());
+            }
+        }
+        return elements;
+    }
 }
