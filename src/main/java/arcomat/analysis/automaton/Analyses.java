@@ -4,6 +4,7 @@ import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Solving;
+import arcomat.analysis.automaton.trap.TrapSearch;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
@@ -71,7 +72,8 @@ public final class Analyses {
         return Budget.within(
                 () -> {
                     exploration.run();
-                    Knowledge known = new Solving(subject, watching, budget).after(exploration);
+                    Knowledge solved = new Solving(subject, watching, budget).after(exploration);
+                    Knowledge known = solved.with(TrapSearch.of(solved, budget));
                     List<Finding> findings =
                             analyses.stream()
                                     .flatMap(each -> each.findings(known).stream())

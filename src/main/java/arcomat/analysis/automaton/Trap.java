@@ -5,6 +5,7 @@ import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.automaton.exploration.SureSending;
+import arcomat.analysis.automaton.exploration.Traps;
 import arcomat.analysis.automaton.exploration.Visit;
 import arcomat.analysis.reachability.Subject;
 import arcomat.source.Diagnostic;
@@ -61,14 +62,19 @@ final class Trap extends Analysis {
 
     @Override
     List<Finding> findings(Knowledge knowledge) {
-        Exploration explored = knowledge.explored();
-        if (!knowledge.isExhaustive() || !SureSending.isToSend(subject)) {
+        if (!SureSending.isToSend(subject)) {
             return List.of();
         }
+        if (!knowledge.isExhaustive()) {
+            return knowledge.traps().entered().stream().map(this::finding).toList();
+        }
+        Exploration explored = knowledge.explored();
         BitSet trapped = new BitSet();
         trapped.set(0, explored.size());
         trapped.andNot(thoseThatMaySend());
-        return groups(trapped, explored).stream().map(this::finding).toList();
+        return groups(trapped, explored).stream()
+                .map(group -> finding(new Traps.Entry(group.entry(), group.states(), true)))
+                .toList();
     }
 
     private BitSet thoseThatMaySend() {
@@ -143,17 +149,21 @@ final class Trap extends Analysis {
                 .orElseThrow();
     }
 
-    private Finding finding(Group group) {
-        Visit entry = group.entry();
+    private Finding finding(Traps.Entry entry) {
         String states =
-                group.states().stream().map(subject::state).collect(Collectors.joining(", "));
-        String among = group.states().size() == 1 ? "" : "; the trap is {" + states + "}";
+                entry.states().stream().map(subject::state).collect(Collectors.joining(", "));
+        String among =
+                entry.isWhole() ? "; the trap is {%s}" : "; all that it may come to is {%s}";
         Diagnostic diagnostic =
                 Diagnostic.warning(
                         CODE,
-                        subject.automaton().places().get(entry.configuration().state()),
+                        subject.automaton().places().get(entry.visit().configuration().state()),
                         "from %s on nothing is sent any more: no transition that sends can be taken%s"
-                                .formatted(words(entry.configuration()), among));
-        return finding(diagnostic, entry);
+                                .formatted(
+                                        words(entry.visit().configuration()),
+                                        entry.states().size() == 1
+                                                ? ""
+                                                : among.formatted(states)));
+        return finding(diagnostic, entry.visit());
     }
 }

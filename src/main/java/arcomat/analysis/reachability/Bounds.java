@@ -18,7 +18,7 @@ import java.util.function.LongPredicate;
  * around. Nobody asked whether they do; but induction, which begins anywhere, proves more once it
  * knows.
  */
-final class Bounds {
+public final class Bounds {
     private final Subject subject;
 
     /** Each is what a run might show to break a bound. */
@@ -29,7 +29,7 @@ final class Bounds {
     }
 
     /** Each is what a run might show to break the bound. */
-    static Set<Expression> candidates(Subject subject) {
+    public static Set<Expression> candidates(Subject subject) {
         Bounds bounds = new Bounds(subject);
         for (int i = 0; i < subject.automaton().variables().size(); i++) {
             Variable variable = subject.automaton().variables().get(i);

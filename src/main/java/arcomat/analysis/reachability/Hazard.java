@@ -122,7 +122,7 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
     }
 
     /** A value is none of a type with a range. */
-    static Expression outside(Expression value, Type type) {
+    public static Expression outside(Expression value, Type type) {
         if (!(type instanceof Type.IntegerType integer) || !integer.ranged()) {
             return NEVER;
         }

@@ -52,13 +52,14 @@ public record Subject(
 
     /** Whether a variable has so many values that trying them may not end. */
     public boolean isWide() {
-        return automaton.variables().stream().anyMatch(variable -> !isNarrow(variable.type()));
+        return automaton.variables().stream().anyMatch(variable -> isWide(variable.type()));
     }
 
-    private static boolean isNarrow(Type type) {
+    /** Whether a type has so many values. */
+    public static boolean isWide(Type type) {
         return type instanceof Type.IntegerType integer
-                ? integer.ranged()
-                : SmallType.values(type).isPresent();
+                ? !integer.ranged()
+                : SmallType.values(type).isEmpty();
     }
 
     /** Whether a port carries a message whenever the automaton is asked for a step. */

@@ -15,29 +15,46 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * The transition relation of an automaton at one instant, and what may be shown there, as formulas.
  *
  * @param <T> formulas of a {@link Logic}
  */
-final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
+public final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     private final Subject subject;
     private final Logic<T> logic;
     private final Instant<T> at;
+    private final Function<Port, T> earlier;
 
-    SymbolicTransitions(Subject subject, Logic<T> logic, Instant<T> at) {
+    /** Somewhere in a run: latched ports may have had a message where they have one now. */
+    public SymbolicTransitions(Subject subject, Logic<T> logic, Instant<T> at) {
+        this(subject, logic, at, at::has);
+    }
+
+    /**
+     * @param earlier whether a latched port has had a message before
+     */
+    SymbolicTransitions(
+            Subject subject, Logic<T> logic, Instant<T> at, Function<Port, T> earlier) {
         this.subject = subject;
         this.logic = logic;
         this.at = at;
+        this.earlier = earlier;
     }
 
-    Instant<T> instant() {
+    public Instant<T> instant() {
         return at;
     }
 
+    /** Whether a latched port has had a message before, and has lost its silence for good. */
+    public T isLatched(Port port) {
+        return earlier.apply(port);
+    }
+
     /** What always holds: values are of their types, and events come one by one. */
-    T wellFormed() {
+    public T wellFormed() {
         boolean single = subject.component().profile() == Component.Profile.EVENT_DRIVEN;
         return single ? and(at.isWellTyped(), oneEvent()) : at.isWellTyped();
     }
@@ -57,7 +74,7 @@ final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     }
 
     /** Latched ports do not lose their message until then. */
-    T keepsLatched(Instant<T> next) {
+    public T keepsLatched(Instant<T> next) {
         List<T> kept = new ArrayList<>();
         for (Port port : subject.component().inputs()) {
             if (subject.component().profile() == Component.Profile.EVENT_DRIVEN && port.latched()) {
@@ -89,7 +106,7 @@ final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     }
 
     /** That a condition is true. */
-    T holds(Expression condition) {
+    public T holds(Expression condition) {
         return at.value(condition);
     }
 
@@ -180,7 +197,7 @@ final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     }
 
     /** It goes to the next instant, and all goes well. */
-    T step(int transition, Instant<T> next) {
+    public T step(int transition, Instant<T> next) {
         List<T> all = new ArrayList<>();
         all.add(enabled(transition));
         all.add(goesWell(transition));

@@ -2,6 +2,7 @@ package arcomat.analysis.reachability;
 
 import arcomat.analysis.reachability.Reachability.Place;
 import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.automaton.StepRelation.Start;
@@ -9,6 +10,7 @@ import arcomat.semantics.automaton.StepRelation.Start;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * All runs of one automaton up to some length, from a beginning or from anywhere, as claims to a
@@ -16,7 +18,7 @@ import java.util.function.Consumer;
  *
  * @param <T> formulas of the solver
  */
-final class Unrolling<T> {
+public final class Unrolling<T> {
     private final Subject subject;
     private final boolean begins;
     private final Logic<T> logic;
@@ -28,26 +30,28 @@ final class Unrolling<T> {
      *
      * @param <T> formulas of the solver
      */
-    interface StatePredicate<T> {
+    public interface StatePredicate<T> {
         T at(SymbolicTransitions<T> there);
     }
 
     /**
      * @param begins whether runs start with a beginning of the automaton; else anywhere
      */
-    Unrolling(Subject subject, boolean begins, Logic<T> logic) {
+    public Unrolling(Subject subject, boolean begins, Logic<T> logic) {
         this.subject = subject;
         this.begins = begins;
         this.logic = logic;
     }
 
-    boolean isExact() {
+    public boolean isExact() {
         return logic.isExact();
     }
 
     /** Makes the runs one letter longer; at first, they have none. */
-    void extend() {
-        SymbolicTransitions<T> next = new SymbolicTransitions<>(subject, logic, logic.instant());
+    public void extend() {
+        Instant<T> instant = logic.instant();
+        SymbolicTransitions<T> next =
+                new SymbolicTransitions<>(subject, logic, instant, earlier(instant));
         transitions.add(next);
         logic.claim(next.wellFormed());
         if (transitions.size() > 1) {
@@ -58,6 +62,14 @@ final class Unrolling<T> {
                     logic.or(starts.stream().map(start -> begins(start, next.instant())).toList()));
         }
         impossible.forEach(known -> claimNever(known, next));
+    }
+
+    /** Latched ports keep their message: who had one before had it in the letter before. */
+    private Function<Port, T> earlier(Instant<T> instant) {
+        if (!transitions.isEmpty()) {
+            return transitions.get(transitions.size() - 1).instant()::has;
+        }
+        return begins ? port -> logic.of(subject.isAlwaysThere(port)) : instant::has;
     }
 
     private void step(SymbolicTransitions<T> before, Instant<T> next) {
@@ -80,7 +92,7 @@ final class Unrolling<T> {
     }
 
     /** It is known that no configuration shows it. */
-    void exclude(StatePredicate<T> shown) {
+    public void exclude(StatePredicate<T> shown) {
         impossible.add(shown);
         transitions.forEach(instant -> claimNever(shown, instant));
     }
@@ -89,8 +101,15 @@ final class Unrolling<T> {
         logic.claim(logic.not(shown.at(there)));
     }
 
+    /** Whether a run leads from what is so to what is so; if so, looks at an example. */
+    public Logic.Answer leads(
+            StatePredicate<T> from, StatePredicate<T> to, Consumer<Run> example) {
+        return logic.assuming(
+                List.of(from.at(transitions.get(0)), atEnd(to)), () -> example.accept(run()));
+    }
+
     /** Whether the end of a run shows it; if so, looks at an example. */
-    Logic.Answer endsWith(StatePredicate<T> shown, Consumer<Run> example) {
+    public Logic.Answer endsWith(StatePredicate<T> shown, Consumer<Run> example) {
         return logic.assuming(List.of(atEnd(shown)), () -> example.accept(run()));
     }
 
@@ -104,7 +123,7 @@ final class Unrolling<T> {
     }
 
     /** Whether the end of a run may be the first to show it. */
-    Logic.Answer endsFirstWith(StatePredicate<T> shown) {
+    public Logic.Answer endsFirstWith(StatePredicate<T> shown) {
         List<T> assumed = new ArrayList<>();
         for (SymbolicTransitions<T> before : transitions.subList(0, transitions.size() - 1)) {
             assumed.add(logic.not(shown.at(before)));

@@ -14,6 +14,7 @@ import arcomat.semantics.value.InputAbstraction;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 
 /**
@@ -24,17 +25,26 @@ public record Confirmation(Subject subject, Stepper stepper) {
 
     /** The situation at the end, if the way is there and the end shows what was asked. */
     public Optional<Situation> of(RunProperty property, Run run) {
+        return reaching(run, Set.of()).flatMap(end -> end(end, run, property));
+    }
+
+    /**
+     * Where a run ends, before its last letter, if the way is there.
+     *
+     * @param kept positions of ports whose messages are not left out
+     */
+    public Optional<Visit> reaching(Run run, Set<Integer> kept) {
         Optional<Visit> visit = beginning(run.places().get(0));
         for (int i = 0; i < run.letters().size() && visit.isPresent(); i++) {
-            visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1));
+            visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1), kept);
         }
-        return visit.flatMap(end -> end(end, run, property));
+        return visit;
     }
 
     private Optional<Situation> end(Visit end, Run run, RunProperty property) {
         Predicate<Value[]> shows = letter -> situation(end, letter).shows().contains(property);
         return shows.test(run.last())
-                ? Optional.of(situation(end, withoutNeedless(end, run.last(), shows)))
+                ? Optional.of(situation(end, withoutNeedless(end, run.last(), Set.of(), shows)))
                 : Optional.empty();
     }
 
@@ -51,12 +61,13 @@ public record Confirmation(Subject subject, Stepper stepper) {
         return Optional.empty();
     }
 
-    private Optional<Visit> step(Visit before, Value[] found, Place place) {
+    private Optional<Visit> step(
+            Visit before, Value[] found, Place place, Set<Integer> kept) {
         Predicate<Value[]> leads = letter -> reaction(before, letter, place).isPresent();
         if (!leads.test(found)) {
             return Optional.empty();
         }
-        Value[] letter = withoutNeedless(before, found, leads);
+        Value[] letter = withoutNeedless(before, found, kept, leads);
         Reaction reaction = reaction(before, letter, place).orElseThrow();
         return Optional.of(before.then(reaction, stepper.latched(before, letter), letter));
     }
@@ -73,11 +84,14 @@ public record Confirmation(Subject subject, Stepper stepper) {
                 && configuration.variables().equals(place.variables());
     }
 
-    private Value[] withoutNeedless(Visit visit, Value[] found, Predicate<Value[]> enough) {
+    private Value[] withoutNeedless(
+            Visit visit, Value[] found, Set<Integer> kept, Predicate<Value[]> enough) {
         Value[] letter = found;
         List<Port> inputs = subject.component().inputs();
         for (int port = 0; port < letter.length; port++) {
-            if (letter[port] != null && mayBeSilent(inputs.get(port), port, visit)) {
+            if (letter[port] != null
+                    && !kept.contains(port)
+                    && mayBeSilent(inputs.get(port), port, visit)) {
                 Value[] less = letter.clone();
                 less[port] = null;
                 letter = enough.test(less) ? less : letter;

@@ -16,12 +16,28 @@ import java.util.Set;
  *
  * @param shown by some run
  * @param answers to the questions that were put to the solver
+ * @param traps what is known of them where not all configurations have been looked at
  */
 public record Knowledge(
         Subject subject,
         Exploration explored,
         Set<RunProperty> shown,
-        Map<RunProperty, Reachability> answers) {
+        Map<RunProperty, Reachability> answers,
+        Traps traps) {
+
+    /** Before anybody has looked for traps. */
+    public Knowledge(
+            Subject subject,
+            Exploration explored,
+            Set<RunProperty> shown,
+            Map<RunProperty, Reachability> answers) {
+        this(subject, explored, shown, answers, Traps.NONE);
+    }
+
+    /** The same with what is known of traps. */
+    public Knowledge with(Traps found) {
+        return new Knowledge(subject, explored, shown, answers, found);
+    }
 
     /** Whether all configurations have been looked at, one by one. */
     public boolean isExhaustive() {
@@ -73,17 +89,17 @@ public record Knowledge(
         if (isExhaustive()) {
             return "";
         }
-        if (answers.isEmpty()) {
+        if (answers.isEmpty() && !shown.containsAll(new RunProperties(subject).all())) {
             return explored.obstacle();
         }
         List<RunProperty> open = answers.keySet().stream().filter(this::isOpen).toList();
         if (!open.isEmpty()) {
             return words(open);
         }
-        return new SureSending(this).isOpen()
-                ? "it is open whether there is a trap, where nothing is sent any more (%s)"
-                        .formatted(explored.obstacle())
-                : "";
+        return traps.obstacle().isEmpty()
+                ? ""
+                : "it is open whether there is %s trap, where nothing is sent any more (%s)"
+                        .formatted(traps.entered().isEmpty() ? "a" : "another", traps.obstacle());
     }
 
     private String words(List<RunProperty> open) {

@@ -1,0 +1,162 @@
+package arcomat.analysis.automaton.trap;
+
+import arcomat.analysis.reachability.Bounds;
+import arcomat.analysis.reachability.Hazard;
+import arcomat.analysis.reachability.Subject;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.expression.Formulas;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * Conditions over the variables of which some may always be so in a state: what guards ask, and
+ * comparisons with numbers that are mentioned somewhere.
+ */
+final class Candidates {
+    private static final int MOST_ATOMS = 40;
+    private static final int MOST_NUMBERS = 10;
+    private static final int MOST_PAIRED = 5;
+
+    private final Subject subject;
+    private final List<Move> moves;
+
+    Candidates(Subject subject, List<Move> moves) {
+        this.subject = subject;
+        this.moves = moves;
+    }
+
+    /** What guards and effects ask of the variables alone, and the contrary. */
+    List<Expression> asked() {
+        Set<Expression> atoms = new LinkedHashSet<>();
+        for (Move move : moves) {
+            collect(move.goesOn(), atoms);
+            collect(move.escapes(), atoms);
+        }
+        List<Expression> both = new ArrayList<>();
+        atoms.stream()
+                .limit(MOST_ATOMS)
+                .forEach(
+                        atom -> {
+                            both.add(atom);
+                            both.add(Formulas.not(atom));
+                        });
+        return both;
+    }
+
+    /** Not taken apart further than to what has no connective. */
+    private static void collect(Expression e, Set<Expression> atoms) {
+        boolean isTruth = e.type() instanceof Type.BooleanType;
+        boolean isConnective =
+                e instanceof Expression.Unary
+                        || e instanceof Expression.Conditional
+                        || e instanceof Expression.Binary binary
+                                && switch (binary.operator()) {
+                                    case AND, OR, IMPLIES, EQUIVALENT -> true;
+                                    default -> false;
+                                };
+        if (isTruth && !isConnective && isAboutVariables(e)) {
+            atoms.add(e);
+        } else {
+            e.operands().forEach(each -> collect(each, atoms));
+        }
+    }
+
+    private static boolean isAboutVariables(Expression e) {
+        return e.ports().isEmpty() && e.contains(Expression.VariableRead.class::isInstance);
+    }
+
+    /** And comparisons with each other, and with what is mentioned. */
+    List<Expression> all() {
+        Set<Expression> all = new LinkedHashSet<>(asked());
+        Bounds.candidates(subject).forEach(each -> all.add(Formulas.not(each)));
+        List<Variable> variables = subject.automaton().variables();
+        for (Variable each : variables) {
+            mentioned(each).forEach(value -> all.addAll(compared(each, value)));
+        }
+        if (variables.size() <= MOST_PAIRED) {
+            pairs(variables, all);
+        }
+        return List.copyOf(all);
+    }
+
+    private static void pairs(List<Variable> variables, Set<Expression> all) {
+        for (Variable one : variables) {
+            for (Variable other : variables) {
+                if (!one.equals(other) && one.type().isNumber() && one.type().equals(other.type())) {
+                    all.add(
+                            Hazard.compare(
+                                    BinaryOperator.LESS_OR_EQUAL, read(one), read(other)));
+                }
+            }
+        }
+    }
+
+    private Set<Value> mentioned(Variable variable) {
+        Set<Value> values = new LinkedHashSet<>();
+        int slot = subject.automaton().variables().indexOf(variable);
+        subject.relation()
+                .starts()
+                .forEach(each -> values.add(each.configuration().variables().get(slot)));
+        Set<Value> constants = new TreeSet<>();
+        for (Move move : moves) {
+            collectValues(move.goesOn(), variable.type(), constants);
+            collectValues(move.escapes(), variable.type(), constants);
+            move.assigned().values().forEach(e -> collectValues(e, variable.type(), constants));
+        }
+        constants.stream().limit(MOST_NUMBERS).forEach(values::add);
+        return values;
+    }
+
+    private static void collectValues(Expression e, Type type, Set<Value> values) {
+        e.visit(
+                part -> {
+                    if (part instanceof Expression.Constant constant
+                            && !(type instanceof Type.ClassType)
+                            && type.has(constant.value())) {
+                        values.add(constant.value());
+                    }
+                });
+    }
+
+    /** What a value may be compared with a variable for. */
+    private static List<Expression> compared(Variable variable, Value value) {
+        Expression read = read(variable);
+        Expression constant = new Expression.Constant(value, variable.type(), variable.span());
+        if (variable.type() instanceof Type.ClassType) {
+            return List.of();
+        }
+        return variable.type().isNumber()
+                ? List.of(
+                        Hazard.compare(BinaryOperator.GREATER_OR_EQUAL, read, constant),
+                        Hazard.compare(BinaryOperator.LESS_OR_EQUAL, read, constant))
+                : List.of(
+                        Hazard.compare(BinaryOperator.EQUAL, read, constant),
+                        Hazard.compare(BinaryOperator.NOT_EQUAL, read, constant));
+    }
+
+    /** That variables are not beyond their present values; what is no number stays none. */
+    List<Expression> near(List<Value> present) {
+        List<Expression> near = new ArrayList<>();
+        List<Variable> variables = subject.automaton().variables();
+        for (int i = 0; i < present.size(); i++) {
+            near.addAll(compared(variables.get(i), present.get(i)));
+            if (variables.get(i).type() instanceof Type.RealType) {
+                Expression read = read(variables.get(i));
+                near.add(Hazard.compare(BinaryOperator.NOT_EQUAL, read, read));
+            }
+        }
+        return near;
+    }
+
+    private static Expression read(Variable variable) {
+        return new Expression.VariableRead(variable, variable.span());
+    }
+}

@@ -1,0 +1,216 @@
+package arcomat.analysis.automaton.trap;
+
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.automaton.exploration.Situation.Alternative;
+import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.automaton.exploration.SureSending;
+import arcomat.analysis.automaton.exploration.Visit;
+import arcomat.analysis.automaton.trap.Plan.Step;
+import arcomat.analysis.reachability.Logic;
+import arcomat.analysis.reachability.Reachability.Place;
+import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.analysis.reachability.Subject;
+import arcomat.analysis.reachability.SymbolicTransitions;
+import arcomat.analysis.reachability.Unrolling;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.expression.Output;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Looks for shortest plans from one configuration: with runs of 0, 1, 2, .. inputs from there. What
+ * the automaton itself does not do is no plan.
+ *
+ * @param <T> formulas of the solver
+ */
+final class EscapeSearch<T> {
+    /** Longer plans are not looked for. */
+    private static final int LONGEST = 12;
+
+    private final Subject subject;
+    private final List<Move> moves;
+    private final PlanConditions conditions;
+    private final Stepper stepper;
+    private final Logic.Kind<T> kind;
+    private final BooleanSupplier stop;
+    private final List<Logic<T>> logics = new ArrayList<>();
+    private final List<Unrolling<T>> runs = new ArrayList<>();
+
+    EscapeSearch(Subject subject, List<Move> moves, Logic.Kind<T> kind, BooleanSupplier stop) {
+        this.subject = subject;
+        this.moves = moves;
+        this.conditions = PlanConditions.of(subject);
+        this.stepper = Stepper.of(subject);
+        this.kind = kind;
+        this.stop = stop;
+    }
+
+    /** A plan from there; nothing where there is none, or none is found. */
+    Optional<Plan> from(Spot spot, Goals goals) {
+        Optional<Expression> measured =
+                goals.measure().map(each -> spot.value(each.value(), subject));
+        for (int length = 0; length <= LONGEST; length++) {
+            Logic<T> logic = logic(length);
+            List<Run> found = new ArrayList<>();
+            boolean goesOn = length > 0;
+            Logic.Answer answer =
+                    runs.get(length)
+                            .leads(
+                                    there -> spot.at(there, subject, logic),
+                                    there ->
+                                            goesOn
+                                                    ? logic.or(
+                                                            List.of(
+                                                                    escapes(there, logic),
+                                                                    goals.at(
+                                                                            there, measured,
+                                                                            logic)))
+                                                    : escapes(there, logic),
+                                    found::add);
+            if (answer == Logic.Answer.YES) {
+                return plan(spot, found.get(0), goals);
+            }
+            if (answer == Logic.Answer.UNKNOWN || isEnd(spot, length)) {
+                return Optional.empty();
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Logic<T> logic(int length) {
+        while (logics.size() <= length) {
+            Logic<T> logic = kind.about(subject, stop);
+            Unrolling<T> unrolling = new Unrolling<>(subject, false, logic);
+            for (int i = 0; i <= logics.size(); i++) {
+                unrolling.extend();
+            }
+            logics.add(logic);
+            runs.add(unrolling);
+        }
+        return logics.get(length);
+    }
+
+    /** No run from there is so long. */
+    private boolean isEnd(Spot spot, int length) {
+        Logic<T> logic = logics.get(length);
+        return runs.get(length)
+                        .leads(
+                                there -> spot.at(there, subject, logic),
+                                there -> logic.of(true),
+                                run -> {})
+                == Logic.Answer.NO;
+    }
+
+    private T escapes(SymbolicTransitions<T> there, Logic<T> logic) {
+        List<T> any = new ArrayList<>();
+        for (Move move : moves) {
+            any.add(
+                    logic.and(
+                            List.of(
+                                    there.instant().isIn(move.source()),
+                                    there.holds(move.escapes()))));
+        }
+        return logic.or(any);
+    }
+
+    private Optional<Plan> plan(Spot spot, Run run, Goals goals) {
+        Visit visit =
+                new Visit(
+                        -1,
+                        spot.configuration(),
+                        positions(spot.latched()),
+                        null,
+                        null,
+                        new Output(List.of()),
+                        0,
+                        0);
+        List<Step> steps = new ArrayList<>();
+        for (int i = 0; i < run.letters().size(); i++) {
+            Value[] letter = run.letters().get(i);
+            Optional<Alternative> taken = taken(visit, letter, run.places().get(i + 1));
+            if (taken.isEmpty()) {
+                return Optional.empty();
+            }
+            Reaction reaction = taken.get().reaction().orElseThrow();
+            steps.add(step(taken.get().taken().index(), letter));
+            visit = visit.then(reaction, stepper.latched(visit, letter), letter);
+        }
+        return ended(steps, visit, run.last(), spot, goals);
+    }
+
+    private Set<Integer> positions(Set<Port> ports) {
+        Set<Integer> positions = new HashSet<>();
+        ports.forEach(port -> positions.add(subject.component().inputs().indexOf(port)));
+        return positions;
+    }
+
+    private Optional<Alternative> taken(Visit visit, Value[] letter, Place place) {
+        return situation(visit, letter).alternatives().stream()
+                .filter(each -> each.reaction().filter(r -> isAt(r.next(), place)).isPresent())
+                .findFirst();
+    }
+
+    private static boolean isAt(Configuration configuration, Place place) {
+        return configuration.state() == place.state()
+                && configuration.variables().equals(place.variables());
+    }
+
+    private Situation situation(Visit visit, Value[] letter) {
+        return stepper.situation(visit, letter, reaction -> -1);
+    }
+
+    private Step step(int transition, Value[] letter) {
+        List<Optional<Expression>> messages = new ArrayList<>();
+        for (int i = 0; i < letter.length; i++) {
+            Port port = subject.component().inputs().get(i);
+            messages.add(
+                    Optional.ofNullable(letter[i])
+                            .map(each -> new Expression.Constant(each, port.type(), port.span())));
+        }
+        return new Step(moves.get(transition), messages);
+    }
+
+    /** What the last letter does, or that it is not needed any more. */
+    private Optional<Plan> ended(
+            List<Step> steps, Visit end, Value[] last, Spot spot, Goals goals) {
+        List<Plan> plans = new ArrayList<>();
+        Situation situation = situation(end, last);
+        situation.faults().forEach(each -> plans.add(escape(steps, each.taken(), last)));
+        situation.alternatives().stream()
+                .filter(this::escapes)
+                .forEach(each -> plans.add(escape(steps, Optional.of(each.taken()), last)));
+        if (!steps.isEmpty()) {
+            boolean settles = goals.settled().contains(end.configuration().state());
+            plans.add(
+                    new Plan(steps, settles ? Plan.Goal.SETTLES : Plan.Goal.PROGRESSES));
+        }
+        return plans.stream().filter(each -> isPossible(each, spot, goals)).findFirst();
+    }
+
+    private Plan escape(List<Step> steps, Optional<Trace.Taken> taken, Value[] last) {
+        List<Step> all = new ArrayList<>(steps);
+        all.add(step(taken.orElseThrow().index(), last));
+        return new Plan(all, Plan.Goal.ESCAPES);
+    }
+
+    private boolean escapes(Alternative each) {
+        return each.fault().isPresent()
+                || SureSending.sends(subject, each.taken().transition());
+    }
+
+    private boolean isPossible(Plan plan, Spot spot, Goals goals) {
+        return goals.condition(plan, conditions)
+                .filter(condition -> spot.satisfies(condition, subject))
+                .isPresent();
+    }
+}

@@ -1,0 +1,82 @@
+package arcomat.analysis.automaton.trap;
+
+import arcomat.analysis.reachability.Subject;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/** What has been found out about one automaton so far, by whichever solver. */
+final class Insight {
+    private final Subject subject;
+    private final Map<Integer, Set<Plan>> plans = new TreeMap<>();
+
+    /** What holds in each state that may be reached. */
+    final Map<Integer, List<Expression>> facts = new TreeMap<>();
+
+    /** Something can be sent from there on, but for the traps. */
+    final Set<Integer> settled = new TreeSet<>();
+
+    final List<Region> traps = new ArrayList<>();
+
+    /** Where neither is known, by state. */
+    final Map<Integer, Spot> stuck = new LinkedHashMap<>();
+
+    Insight(Subject subject, Set<Integer> states) {
+        this.subject = subject;
+        states.forEach(state -> facts.put(state, List.of()));
+    }
+
+    /** The states about which it is open whether something can be sent. */
+    Set<Integer> open() {
+        Set<Integer> open = new TreeSet<>(facts.keySet());
+        open.removeAll(settled);
+        return open;
+    }
+
+    Set<Plan> plans(int state) {
+        return plans.computeIfAbsent(state, each -> new LinkedHashSet<>());
+    }
+
+    /** What else holds in each state; states without facts are never reached. */
+    void learn(Map<Integer, List<Expression>> more) {
+        facts.keySet().retainAll(more.keySet());
+        more.forEach(
+                (state, all) ->
+                        facts.computeIfPresent(
+                                state,
+                                (each, before) -> {
+                                    Set<Expression> both = new LinkedHashSet<>(before);
+                                    both.addAll(all);
+                                    return List.copyOf(both);
+                                }));
+    }
+
+    List<Expression> known(int state) {
+        return Objects.requireNonNull(facts.get(state));
+    }
+
+    /** The latched ports that have no message in some step of a plan. */
+    Set<Port> silent(Plan plan) {
+        List<Port> inputs = subject.component().inputs();
+        return Spot.latchable(subject).stream()
+                .filter(
+                        port ->
+                                plan.steps().stream()
+                                        .anyMatch(
+                                                each ->
+                                                        each.letter()
+                                                                .get(inputs.indexOf(port))
+                                                                .isEmpty()))
+                .collect(Collectors.toSet());
+    }
+}

@@ -1,0 +1,110 @@
+package arcomat.analysis.automaton.trap;
+
+import arcomat.analysis.automaton.trap.Plan.Step;
+import arcomat.analysis.reachability.Hazard;
+import arcomat.analysis.reachability.Subject;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Variable;
+import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.expression.Replacement;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * When plans can be carried out: weakest preconditions, by putting what is assigned and read in the
+ * place of variables and messages, from the last step to the first (Dijkstra, <i>Guarded commands,
+ * nondeterminacy and formal derivation of programs</i>, 1975).
+ *
+ * @param inputs of the component
+ * @param variables of the automaton
+ */
+record PlanConditions(List<Port> inputs, List<Variable> variables) {
+    /** Longer conditions take the solver too long. */
+    private static final int MOST_PARTS = 3000;
+
+    static PlanConditions of(Subject subject) {
+        return new PlanConditions(
+                subject.component().inputs(), subject.automaton().variables());
+    }
+
+    /**
+     * What has to be so of the variables before a plan for it to be possible; empty where that
+     * cannot be said, or only at length.
+     *
+     * @param atEnd what has to be so after the last step; of no use to a plan that escapes
+     */
+    Optional<Expression> of(Plan plan, Expression atEnd) {
+        Optional<Expression> condition = Optional.of(atEnd);
+        for (int i = plan.steps().size() - 1; i >= 0; i--) {
+            Step step = plan.steps().get(i);
+            boolean last = i == plan.steps().size() - 1;
+            condition =
+                    last && plan.goal() == Plan.Goal.ESCAPES
+                            ? Optional.of(possible(step, step.move().escapes()))
+                            : condition
+                                    .flatMap(each -> before(step, each))
+                                    .map(each -> Formulas.and(possible(step, step.move().goesOn()), each));
+            condition = condition.filter(PlanConditions::isShort);
+        }
+        return condition;
+    }
+
+    /** What an expression over the variables after a plan is, over those before it. */
+    Optional<Expression> before(Plan plan, Expression after) {
+        Optional<Expression> before = Optional.of(after);
+        for (int i = plan.steps().size() - 1; i >= 0; i--) {
+            Step step = plan.steps().get(i);
+            before = before.flatMap(each -> before(step, each)).filter(PlanConditions::isShort);
+        }
+        return before;
+    }
+
+    private static boolean isShort(Expression e) {
+        int[] parts = {0};
+        e.visit(part -> parts[0]++);
+        return parts[0] <= MOST_PARTS;
+    }
+
+    private Optional<Expression> before(Step step, Expression after) {
+        Map<String, Expression> assigned = step.move().assigned();
+        boolean alike =
+                variables.stream()
+                        .filter(each -> assigned.containsKey(each.name()))
+                        .allMatch(each -> isAlike(each.type(), assigned.get(each.name()).type()));
+        return alike
+                ? Optional.of(onLetter(step, Replacement.ofVariables(assigned).of(after)))
+                : Optional.empty();
+    }
+
+    /** Whether a value stays what it is when it is assigned. */
+    private static boolean isAlike(Type one, Type other) {
+        return one.equals(other)
+                || one instanceof Type.IntegerType && other instanceof Type.IntegerType;
+    }
+
+    /** That a condition over variables and messages is so on what is read, which has to fit. */
+    private Expression possible(Step step, Expression condition) {
+        Expression all = Formulas.TRUE;
+        for (int i = 0; i < inputs.size(); i++) {
+            Optional<Expression> message = step.letter().get(i);
+            if (message.isPresent() && !(message.get() instanceof Expression.Constant)) {
+                Expression outside = Hazard.outside(message.get(), inputs.get(i).type());
+                all = Formulas.and(all, Formulas.not(outside));
+            }
+        }
+        return Formulas.and(all, onLetter(step, condition));
+    }
+
+    private Expression onLetter(Step step, Expression e) {
+        Map<String, Optional<Expression>> messages = new HashMap<>();
+        for (int i = 0; i < inputs.size(); i++) {
+            messages.put(inputs.get(i).name(), step.letter().get(i));
+        }
+        return Replacement.ofMessages(messages).of(e);
+    }
+}

@@ -1,0 +1,176 @@
+package arcomat.analysis.automaton.trap;
+
+import arcomat.analysis.automaton.exploration.Confirmation;
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Stepper;
+import arcomat.analysis.automaton.exploration.Traps;
+import arcomat.analysis.automaton.exploration.Visit;
+import arcomat.analysis.bits.BitLogic;
+import arcomat.analysis.reachability.Logic;
+import arcomat.analysis.reachability.Reachability.Run;
+import arcomat.analysis.reachability.Subject;
+import arcomat.analysis.reachability.SymbolicTransitions;
+import arcomat.analysis.reachability.Unrolling;
+import arcomat.analysis.reachability.Unrolling.StatePredicate;
+import arcomat.analysis.search.system.ConfigurationText;
+import arcomat.analysis.smt.LinearLogic;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** Which traps are entered, and how: shortest runs, that the automaton itself agrees with. */
+final class TrapEntries {
+    /** Longer runs are not looked for. */
+    private static final int LONGEST = 12;
+
+    private final Subject subject;
+    private final Knowledge known;
+    private final Insight insight;
+    private final BooleanSupplier stop;
+    private final Confirmation confirmation;
+
+    TrapEntries(Subject subject, Knowledge known, Insight insight, BooleanSupplier stop) {
+        this.subject = subject;
+        this.known = known;
+        this.insight = insight;
+        this.stop = stop;
+        this.confirmation = new Confirmation(subject, Stepper.of(subject));
+    }
+
+    Traps traps() {
+        List<Traps.Entry> entered = new ArrayList<>();
+        String obstacle = "";
+        for (List<Region> group : groups()) {
+            Entrance entrance = entrance(group, LinearLogic.KIND);
+            if (entrance.isOpen()) {
+                entrance = entrance(group, BitLogic.KIND);
+            }
+            Optional<Visit> visit = entrance.visit().or(() -> explored(group));
+            if (visit.isPresent()) {
+                entered.add(entry(visit.get(), group));
+            } else if (entrance.isOpen()) {
+                obstacle = unreached(group);
+            }
+        }
+        return new Traps(entered, obstacle);
+    }
+
+    private String unreached(List<Region> group) {
+        Set<Integer> states = states(group);
+        return "in %s there is one, but it is open whether a run gets there"
+                .formatted(states.stream().map(subject::state).collect(Collectors.joining(", ")));
+    }
+
+    /** Traps with a common state are one. */
+    private List<List<Region>> groups() {
+        List<List<Region>> groups = new ArrayList<>();
+        for (Region region : insight.traps) {
+            List<Region> joined = new ArrayList<>(List.of(region));
+            for (List<Region> group : List.copyOf(groups)) {
+                if (group.stream().anyMatch(region::meets)) {
+                    groups.remove(group);
+                    joined.addAll(group);
+                }
+            }
+            groups.add(joined);
+        }
+        return groups;
+    }
+
+    private static Set<Integer> states(List<Region> group) {
+        Set<Integer> states = new TreeSet<>();
+        group.forEach(each -> states.addAll(each.conditions().keySet()));
+        return states;
+    }
+
+    /**
+     * A way into a trap.
+     *
+     * @param isOpen whether there may be one where none is known
+     */
+    private record Entrance(Optional<Visit> visit, boolean isOpen) {}
+
+    private <T> Entrance entrance(List<Region> group, Logic.Kind<T> kind) {
+        Logic<T> logic = kind.about(subject, stop);
+        Logic<T> other = kind.about(subject, stop);
+        Unrolling<T> fromStart = new Unrolling<>(subject, true, logic);
+        Unrolling<T> fromAnywhere = new Unrolling<>(subject, false, other);
+        fromStart.exclude(there -> contradictsFacts(there, logic));
+        fromAnywhere.exclude(there -> contradictsFacts(there, other));
+        for (int length = 0; length <= LONGEST; length++) {
+            fromStart.extend();
+            fromAnywhere.extend();
+            List<Run> found = new ArrayList<>();
+            Logic.Answer answer = fromStart.endsWith(in(group, logic), found::add);
+            if (answer == Logic.Answer.YES) {
+                Optional<Visit> visit = confirmed(found.get(0), group);
+                return new Entrance(visit, visit.isEmpty());
+            }
+            if (answer == Logic.Answer.UNKNOWN) {
+                return new Entrance(Optional.empty(), true);
+            }
+            if (fromAnywhere.endsFirstWith(in(group, other)) == Logic.Answer.NO) {
+                return new Entrance(Optional.empty(), false);
+            }
+        }
+        return new Entrance(Optional.empty(), true);
+    }
+
+    private static <T> StatePredicate<T> in(List<Region> group, Logic<T> logic) {
+        return there -> logic.or(group.stream().map(each -> each.at(there, logic)).toList());
+    }
+
+    /** That a configuration is none that may be reached. */
+    private <T> T contradictsFacts(SymbolicTransitions<T> there, Logic<T> logic) {
+        List<T> possible = new ArrayList<>();
+        insight.facts.forEach(
+                (state, all) -> {
+                    List<T> here = new ArrayList<>();
+                    here.add(there.instant().isIn(state));
+                    all.forEach(each -> here.add(there.holds(each)));
+                    possible.add(logic.and(here));
+                });
+        return logic.not(logic.or(possible));
+    }
+
+    private Optional<Visit> confirmed(Run run, List<Region> group) {
+        Set<Integer> kept = new TreeSet<>();
+        group.forEach(each -> kept.addAll(positions(each.latched())));
+        return confirmation.reaching(run, kept).filter(visit -> isIn(group, visit));
+    }
+
+    private List<Integer> positions(Set<Port> ports) {
+        return ports.stream().map(subject.component().inputs()::indexOf).toList();
+    }
+
+    private boolean isIn(List<Region> group, Visit visit) {
+        Spot spot = new Spot(visit.configuration(), Set.of());
+        return group.stream()
+                .anyMatch(
+                        each ->
+                                visit.latched().containsAll(positions(each.latched()))
+                                        && spot.satisfies(
+                                                each.in(visit.configuration().state()), subject));
+    }
+
+    /** One that was seen when configurations were tried: longer than runs of the solver. */
+    private Optional<Visit> explored(List<Region> group) {
+        return IntStream.range(0, known.explored().size())
+                .mapToObj(known.explored()::visit)
+                .filter(visit -> isIn(group, visit))
+                .reduce(Visit::simpler);
+    }
+
+    private Traps.Entry entry(Visit visit, List<Region> group) {
+        Set<Integer> states = states(group);
+        return new Traps.Entry(visit, states, states.size() == 1);
+    }
+}
