@@ -44,6 +44,13 @@ public record Knowledge(
         return explored.isComplete();
     }
 
+    /** Whether there were too many questions for the solver. */
+    public boolean isUnasked() {
+        return !isExhaustive()
+                && answers.isEmpty()
+                && !shown.containsAll(new RunProperties(subject).all());
+    }
+
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
     private boolean isOpen(RunProperty property) {
         if (isCutOff(property)
@@ -89,7 +96,7 @@ public record Knowledge(
         if (isExhaustive()) {
             return "";
         }
-        if (answers.isEmpty() && !shown.containsAll(new RunProperties(subject).all())) {
+        if (isUnasked()) {
             return explored.obstacle();
         }
         List<RunProperty> open = answers.keySet().stream().filter(this::isOpen).toList();

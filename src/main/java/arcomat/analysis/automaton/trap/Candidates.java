@@ -5,14 +5,18 @@ import arcomat.analysis.reachability.Hazard;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Replacement;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -40,7 +44,7 @@ final class Candidates {
             collect(move.goesOn(), atoms);
             collect(move.escapes(), atoms);
         }
-        List<Expression> both = new ArrayList<>();
+        Set<Expression> both = new LinkedHashSet<>();
         atoms.stream()
                 .limit(MOST_ATOMS)
                 .forEach(
@@ -48,7 +52,55 @@ final class Candidates {
                             both.add(atom);
                             both.add(Formulas.not(atom));
                         });
-        return both;
+        both.addAll(limits());
+        return List.copyOf(both);
+    }
+
+    /** When no message is above a term or below it, or between two. */
+    private Set<Expression> limits() {
+        Set<Expression> limits = new LinkedHashSet<>();
+        for (Move move : moves) {
+            for (Port port : subject.component().inputs()) {
+                if (port.type() instanceof Type.IntegerType type) {
+                    limits(terms(move, port), type, limits);
+                }
+            }
+        }
+        return limits;
+    }
+
+    private static List<Expression> terms(Move move, Port port) {
+        return new Isolation(port)
+                .terms(move.goesOn()).stream()
+                        .filter(each -> each.ports().isEmpty() && Interval.isInteger(each.type()))
+                        .map(Replacement.ofVariables(Map.of())::of)
+                        .distinct()
+                        .toList();
+    }
+
+    private static void limits(
+            List<Expression> terms, Type.IntegerType type, Set<Expression> limits) {
+        for (Expression term : terms) {
+            if (term instanceof Expression.Constant) {
+                continue;
+            }
+            limits.add(
+                    Hazard.compare(
+                            BinaryOperator.LESS_OR_EQUAL, term, Hazard.number(type.low(), term)));
+            limits.add(
+                    Hazard.compare(
+                            BinaryOperator.GREATER_OR_EQUAL,
+                            term,
+                            Hazard.number(type.high(), term)));
+            for (Expression other : terms) {
+                if (term != other && term.type().equals(other.type())) {
+                    limits.add(Hazard.compare(BinaryOperator.LESS, term, other));
+                    limits.add(Hazard.compare(BinaryOperator.LESS_OR_EQUAL, term, other));
+                    limits.add(Hazard.compare(BinaryOperator.GREATER, term, other));
+                    limits.add(Hazard.compare(BinaryOperator.GREATER_OR_EQUAL, term, other));
+                }
+            }
+        }
     }
 
     /** Not taken apart further than to what has no connective. */
@@ -132,6 +184,14 @@ final class Candidates {
         Expression constant = new Expression.Constant(value, variable.type(), variable.span());
         if (variable.type() instanceof Type.ClassType) {
             return List.of();
+        }
+        if (variable.type() instanceof Type.RealType) {
+            // Neither is so of what is no number, and then both are denied.
+            return List.of(
+                    Hazard.compare(BinaryOperator.GREATER_OR_EQUAL, read, constant),
+                    Hazard.compare(BinaryOperator.LESS_OR_EQUAL, read, constant),
+                    Formulas.not(Hazard.compare(BinaryOperator.LESS, read, constant)),
+                    Formulas.not(Hazard.compare(BinaryOperator.GREATER, read, constant)));
         }
         return variable.type().isNumber()
                 ? List.of(

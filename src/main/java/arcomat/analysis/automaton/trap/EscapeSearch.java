@@ -11,7 +11,6 @@ import arcomat.analysis.reachability.Reachability.Place;
 import arcomat.analysis.reachability.Reachability.Run;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicTransitions;
-import arcomat.analysis.reachability.Unrolling;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -34,81 +33,34 @@ import java.util.function.BooleanSupplier;
  * @param <T> formulas of the solver
  */
 final class EscapeSearch<T> {
-    /** Longer plans are not looked for. */
-    private static final int LONGEST = 12;
-
     private final Subject subject;
     private final List<Move> moves;
     private final PlanConditions conditions;
     private final Stepper stepper;
-    private final Logic.Kind<T> kind;
-    private final BooleanSupplier stop;
-    private final List<Logic<T>> logics = new ArrayList<>();
-    private final List<Unrolling<T>> runs = new ArrayList<>();
+    private final RunsFromSpot<T> runs;
 
     EscapeSearch(Subject subject, List<Move> moves, Logic.Kind<T> kind, BooleanSupplier stop) {
         this.subject = subject;
         this.moves = moves;
         this.conditions = PlanConditions.of(subject);
         this.stepper = Stepper.of(subject);
-        this.kind = kind;
-        this.stop = stop;
+        this.runs = new RunsFromSpot<>(subject, kind, stop);
     }
 
     /** A plan from there; nothing where there is none, or none is found. */
     Optional<Plan> from(Spot spot, Goals goals) {
         Optional<Expression> measured =
                 goals.measure().map(each -> spot.value(each.value(), subject));
-        for (int length = 0; length <= LONGEST; length++) {
-            Logic<T> logic = logic(length);
-            List<Run> found = new ArrayList<>();
-            boolean goesOn = length > 0;
-            Logic.Answer answer =
-                    runs.get(length)
-                            .leads(
-                                    there -> spot.at(there, subject, logic),
-                                    there ->
-                                            goesOn
-                                                    ? logic.or(
-                                                            List.of(
-                                                                    escapes(there, logic),
-                                                                    goals.at(
-                                                                            there, measured,
-                                                                            logic)))
-                                                    : escapes(there, logic),
-                                    found::add);
-            if (answer == Logic.Answer.YES) {
-                return plan(spot, found.get(0), goals);
-            }
-            if (answer == Logic.Answer.UNKNOWN || isEnd(spot, length)) {
-                return Optional.empty();
-            }
-        }
-        return Optional.empty();
-    }
-
-    private Logic<T> logic(int length) {
-        while (logics.size() <= length) {
-            Logic<T> logic = kind.about(subject, stop);
-            Unrolling<T> unrolling = new Unrolling<>(subject, false, logic);
-            for (int i = 0; i <= logics.size(); i++) {
-                unrolling.extend();
-            }
-            logics.add(logic);
-            runs.add(unrolling);
-        }
-        return logics.get(length);
-    }
-
-    /** No run from there is so long. */
-    private boolean isEnd(Spot spot, int length) {
-        Logic<T> logic = logics.get(length);
-        return runs.get(length)
-                        .leads(
-                                there -> spot.at(there, subject, logic),
-                                there -> logic.of(true),
-                                run -> {})
-                == Logic.Answer.NO;
+        return runs.shortest(
+                        spot,
+                        (length, there, logic) ->
+                                length == 0
+                                        ? escapes(there, logic)
+                                        : logic.or(
+                                                List.of(
+                                                        escapes(there, logic),
+                                                        goals.at(there, measured, logic))))
+                .flatMap(run -> plan(spot, run, goals));
     }
 
     private T escapes(SymbolicTransitions<T> there, Logic<T> logic) {

@@ -113,7 +113,8 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
         others.remove(inputs.get(port).name());
         Expression asked = Replacement.ofMessages(others).of(step.move().goesOn());
         Set<Expression> terms = new LinkedHashSet<>();
-        for (Expression term : new Isolation(inputs.get(port)).terms(asked)) {
+        for (Expression compared : new Isolation(inputs.get(port)).terms(asked)) {
+            Expression term = Replacement.ofMessages(others).of(compared);
             if (isMessage(term, inputs.get(port).type())) {
                 terms.add(term);
             }

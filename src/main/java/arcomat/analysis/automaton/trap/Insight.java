@@ -2,9 +2,11 @@ package arcomat.analysis.automaton.trap;
 
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
+import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -18,7 +20,7 @@ import java.util.stream.Collectors;
 /** What has been found out about one automaton so far, by whichever solver. */
 final class Insight {
     private final Subject subject;
-    private final Map<Integer, Set<Plan>> plans = new TreeMap<>();
+    private final Map<Integer, Map<String, Plan>> plans = new TreeMap<>();
 
     /** What holds in each state that may be reached. */
     final Map<Integer, List<Expression>> facts = new TreeMap<>();
@@ -43,8 +45,15 @@ final class Insight {
         return open;
     }
 
-    Set<Plan> plans(int state) {
-        return plans.computeIfAbsent(state, each -> new LinkedHashSet<>());
+    /** Those that begin in a state. */
+    Collection<Plan> plans(int state) {
+        return plans.getOrDefault(state, Map.of()).values();
+    }
+
+    /** One of several that are possible under the same condition is enough. */
+    void plan(Plan plan, Expression condition) {
+        String kind = plan.goal() + " " + silent(plan) + ExpressionText.of(condition);
+        plans.computeIfAbsent(plan.source(), each -> new LinkedHashMap<>()).putIfAbsent(kind, plan);
     }
 
     /** What else holds in each state; states without facts are never reached. */

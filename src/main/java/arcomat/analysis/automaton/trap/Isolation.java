@@ -3,6 +3,7 @@ package arcomat.analysis.automaton.trap;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.semantics.expression.Interval;
 
 import java.util.ArrayList;
@@ -51,12 +52,18 @@ record Isolation(Port port) {
             return Optional.empty();
         }
         if (side instanceof Expression.Cast cast && Interval.isInteger(cast.operand().type())) {
-            Expression narrow = new Expression.Cast(other, cast.operand().type(), cast.span());
-            return isolated(cast.operand(), narrow);
+            return isolated(cast.operand(), narrowed(other, cast.operand().type()));
         }
         return side instanceof Expression.Binary binary
                 ? isolated(binary, other)
                 : Optional.empty();
+    }
+
+    private static Expression narrowed(Expression e, Type type) {
+        Type whole = type instanceof Type.IntegerType integer
+                ? Type.IntegerType.of(integer.width())
+                : type;
+        return e.type().equals(whole) ? e : new Expression.Cast(e, whole, e.span());
     }
 
     private Optional<Expression> isolated(Expression.Binary side, Expression other) {

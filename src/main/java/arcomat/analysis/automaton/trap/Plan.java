@@ -37,6 +37,11 @@ record Plan(List<Step> steps, Goal goal) {
         PROGRESSES
     }
 
+    /** The state that it begins in. */
+    int source() {
+        return steps.get(0).move().source();
+    }
+
     /** Where it leads, if it goes on from there. */
     int target() {
         return steps.get(steps.size() - 1).move().target();

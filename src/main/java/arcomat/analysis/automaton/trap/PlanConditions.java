@@ -92,12 +92,19 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
         Expression all = Formulas.TRUE;
         for (int i = 0; i < inputs.size(); i++) {
             Optional<Expression> message = step.letter().get(i);
-            if (message.isPresent() && !(message.get() instanceof Expression.Constant)) {
-                Expression outside = Hazard.outside(message.get(), inputs.get(i).type());
-                all = Formulas.and(all, Formulas.not(outside));
+            if (message.isPresent()) {
+                all = Formulas.and(all, fits(message.get(), inputs.get(i).type()));
             }
         }
         return Formulas.and(all, onLetter(step, condition));
+    }
+
+    /** Whether the value of an expression is a message of a type. */
+    private static Expression fits(Expression message, Type type) {
+        if (message instanceof Expression.Constant constant) {
+            return type.has(constant.value()) ? Formulas.TRUE : Formulas.FALSE;
+        }
+        return Formulas.not(Hazard.outside(message, type));
     }
 
     private Expression onLetter(Step step, Expression e) {

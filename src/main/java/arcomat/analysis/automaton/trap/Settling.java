@@ -158,21 +158,16 @@ final class Settling<T> {
     private boolean learns(Spot spot, Goals goals) {
         Optional<Plan> plan = escapes.from(spot, goals);
         if (plan.isPresent()) {
-            Set<Plan> plans = insight.plans(spot.configuration().state());
-            generalization.of(plan.get()).stream()
-                    .filter(each -> isPossible(each, spot, goals))
-                    .forEach(plans::add);
+            for (Plan each : generalization.of(plan.get())) {
+                goals.condition(each, conditions)
+                        .filter(condition -> spot.satisfies(condition, subject))
+                        .ifPresent(condition -> insight.plan(each, condition));
+            }
             return true;
         }
         Optional<Region> trap = trap(spot);
         trap.ifPresent(insight.traps::add);
         return trap.isPresent();
-    }
-
-    private boolean isPossible(Plan plan, Spot spot, Goals goals) {
-        return goals.condition(plan, conditions)
-                .filter(each -> spot.satisfies(each, subject))
-                .isPresent();
     }
 
     /** A trap that a configuration is in: first a large one. */

@@ -55,7 +55,7 @@ final class TrapEntries {
             }
             Optional<Visit> visit = entrance.visit().or(() -> explored(group));
             if (visit.isPresent()) {
-                entered.add(entry(visit.get(), group));
+                entered.add(entry(visit.get()));
             } else if (entrance.isOpen()) {
                 obstacle = unreached(group);
             }
@@ -169,8 +169,27 @@ final class TrapEntries {
                 .reduce(Visit::simpler);
     }
 
-    private Traps.Entry entry(Visit visit, List<Region> group) {
-        Set<Integer> states = states(group);
-        return new Traps.Entry(visit, states, states.size() == 1);
+    /** The states that it may come to from there, as far as one can tell. */
+    private Traps.Entry entry(Visit visit) {
+        Set<Port> latched =
+                visit.latched().stream()
+                        .map(subject.component().inputs()::get)
+                        .filter(Spot.latchable(subject)::contains)
+                        .collect(Collectors.toSet());
+        List<Move> moves = Move.all(known);
+        Logic.Kind<?> kind = LinearLogic.KIND;
+        InductiveConditions<?> induction =
+                new InductiveConditions<>(subject, moves, kind.about(subject, stop));
+        Set<Integer> states =
+                induction
+                        .from(
+                                List.of(visit.configuration()),
+                                latched,
+                                new Candidates(subject, moves).all())
+                        .keySet();
+        RunsFromSpot<?> runs = new RunsFromSpot<>(subject, kind, stop);
+        Spot spot = new Spot(visit.configuration(), latched);
+        boolean isWhole = states.stream().allMatch(state -> runs.reaches(state, spot));
+        return new Traps.Entry(visit, states, isWhole);
     }
 }

@@ -36,7 +36,7 @@ public final class TrapSearch {
 
     /** What is known of traps, after all else has been asked. */
     public static Traps of(Knowledge known, Budget budget) {
-        return known.isExhaustive() || !new SureSending(known).isOpen()
+        return known.isUnasked() || known.isExhaustive() || !new SureSending(known).isOpen()
                 ? Traps.NONE
                 : new TrapSearch(known, budget).traps();
     }
@@ -49,14 +49,15 @@ public final class TrapSearch {
             }
         }
         Insight insight = new Insight(subject, states);
-        boolean isConclusive = settle(insight, LinearLogic.KIND) || settle(insight, BitLogic.KIND);
+        if (!isConclusive(insight, LinearLogic.KIND)) {
+            isConclusive(insight, BitLogic.KIND);
+        }
         Traps traps = new TrapEntries(subject, known, insight, stop).traps();
-        return insight.open().isEmpty() || isConclusive && insight.open().isEmpty()
-                ? traps
-                : new Traps(traps.entered(), open(insight));
+        return insight.open().isEmpty() ? traps : new Traps(traps.entered(), open(insight));
     }
 
-    private <T> boolean settle(Insight insight, Logic.Kind<T> kind) {
+    /** Asks solvers of one kind; whether others would not find out more. */
+    private <T> boolean isConclusive(Insight insight, Logic.Kind<T> kind) {
         Settling<T> settling = new Settling<>(subject, Move.all(known), insight, kind, stop);
         settling.run();
         return settling.isConclusive();
@@ -67,8 +68,8 @@ public final class TrapSearch {
         Spot spot = insight.stuck.get(state);
         String reason =
                 spot == null
-                        ? "the solver gave up about state " + subject.state(state)
-                        : "from %s on neither is known, nor whether a run gets there"
+                        ? "the solver does not come to an end with state " + subject.state(state)
+                        : "whether something can be sent from %s on is not known, nor whether a run gets there"
                                 .formatted(
                                         ConfigurationText.of(
                                                 subject.automaton(), spot.configuration()));
