@@ -51,6 +51,7 @@ component BadSum {
 
   <<completion = "ignore">> automaton {
     state adding;
+//        ~~~~~~ warning ARC1005: from adding (sum = 101) on nothing is sent any more: no transition that sends can be taken
     variable Integer sum = 0;
     initial adding;
     adding [more > 0 && more <= 40 && sum <= 100] / {sum = sum + more, told = sum};

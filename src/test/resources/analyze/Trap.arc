@@ -118,6 +118,7 @@ component BadRunsOut {
 
   <<completion = "ignore">> automaton {
     state only;
+//        ~~~~ warning ARC1005: from only (left = 0) on nothing is sent any more: no transition that sends can be taken
     variable Integer left = 30;
     initial only;
     only [left > 0 && more > 0 && more < 9] / {left = left - more, told = more};
@@ -132,6 +133,7 @@ component BadBest {
 
   <<completion = "ignore">> automaton {
     state only;
+//        ~~~~ warning ARC1005: from only (best = 2147483647) on nothing is sent any more: no transition that sends can be taken
     variable Integer best = 0;
     initial only;
     only [level > best] / {best = level, told = level};
@@ -151,179 +153,6 @@ component GoodBest {
   }
 }
 
-//// BadRange.arc
-/** A message beyond the range of its port helps nobody out. */
-component BadRange {
-  port in Integer[0..3] level, in Integer more, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state only;
-    variable Integer best = 0;
-    variable Integer sum = 0;
-    initial only;
-    only [level > best] / {best = level, told = level};
-    only [more > 0 && more < 9 && sum < 900] {level == --} / {sum = sum + more};
-  }
-}
-
-//// GoodParity.arc
-/** What arithmetic forbids leads into no trap. */
-component GoodParity {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state only, sink;
-    variable Integer sum = 0;
-    initial only;
-    only [sum < 100 && p > 0 && p < 9] / {sum = sum + 2 * p};
-    only [sum >= 100] {p == 0} / {sum = 0, told = 0};
-    only -> sink [sum % 2 == 1] {p == 3};
-  }
-}
-
-//// GoodWraps.arc
-/** The greatest number and one more is less. */
-component GoodWraps {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state only;
-    variable Integer last = 0;
-    initial only;
-    only [p + 1 < p && last != 5] / {last = p, told = last};
-    only [p > 0 && p < 9] / {last = p};
-  }
-}
-
-//// BadNaN.arc
-/** What is no number stays none, and infinity becomes none. */
-component BadNaN {
-  port in Double level, in Boolean ask, out Double told;
-
-  <<completion = "ignore">> automaton {
-    state only;
-    variable Double sum = 0.0;
-    initial only;
-    only {level == ?, ask == --} / {sum = sum + level};
-    only [sum < 100.0] {ask == true} / {told = sum};
-  }
-}
-
-//// BadWord.arc
-component BadWord {
-  port in String word, out String told;
-
-  <<completion = "ignore">> automaton {
-    state reading, checking;
-    variable String last = "go";
-    initial reading;
-    reading -> checking {word == ?} / {last = word};
-    checking -> reading [last == "go"] {word == ?} / {told = word};
-    checking -> checking [last == "no"] {word == "no"};
-  }
-}
-
-//// GoodWord.arc
-component GoodWord {
-  port in String word, out String told;
-
-  <<completion = "ignore">> automaton {
-    state reading, checking;
-    variable String last = "go";
-    initial reading;
-    reading -> checking {word == ?} / {last = word};
-    checking -> reading [last == word] / {told = word};
-  }
-}
-
-//// GoodSilence.arc
-/** Only silence is answered, and not always. */
-component GoodSilence {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state only;
-    variable Integer sum = 0;
-    initial only;
-    only [p > 0 && p < 9 && sum < 1000000] / {sum = sum + p};
-    only [sum != 7] {p == --} / {sum = 0, told = sum};
-  }
-}
-
-//// GoodWrong.arc
-/** A run error is no trap: it is told elsewhere. */
-component GoodWrong {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state start, last;
-    variable Integer n = 0;
-    initial start;
-    start -> last {p == ?} / {n = p, told = p};
-    last [p > 0 && p < 9 && 1 / (n - p) == 2];
-  }
-}
-
-//// GoodCircle.arc
-/** A thousand steps, but each is one. */
-component GoodCircle {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state there, back;
-    variable Integer n = 0;
-    initial there;
-    there -> back [n < 1000 && p > 0 && p < 4] / {n = n + p};
-    back -> there [n < 2000 && p > 0 && p < 4] / {n = n + 1};
-    there [n >= 1000] {p == 0} / {told = n, n = 0};
-  }
-}
-
-//// BadCircle.arc
-/** It goes round, and comes no closer to anything. */
-component BadCircle {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state there, back;
-    variable Integer n = 0;
-    initial there;
-    there -> back [n < 1000 && p > 0 && p < 4] / {n = n + p};
-    back -> there [p > 0 && p < 4] / {n = n - p};
-    there [n >= 1000000] {p == 0} / {told = n, n = 0};
-  }
-}
-
-//// BadSoon.arc
-/** It is in the trap before it is in the state of the trap. */
-component BadSoon {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state first, second, third;
-    variable Integer n = 0;
-    initial first;
-    first -> second {p == ?} / {n = p, told = p};
-    second -> third {p == ?};
-    third -> first [n > 5] {p == 3} / {told = n};
-  }
-}
-
-//// GoodNever.arc
-/** Nobody gets to where nothing is sent: it would take more than it adds. */
-component GoodNever {
-  port in Integer p, out Integer told;
-
-  <<completion = "ignore">> automaton {
-    state only, sink;
-    variable Integer n = 0;
-    initial only;
-    only [n < 100 && p > 0 && p < 9] / {n = n + p, told = n};
-    only [n >= 100] {p == 0} / {n = 0, told = 0};
-    only -> sink [n > 107] {p == 1};
-  }
-}
-
 //// BadLatched.arc
 /** Once it has been held, nothing is sent. */
 component BadLatched {
@@ -332,10 +161,11 @@ component BadLatched {
 
   <<completion = "ignore">> automaton {
     state only;
+//        ~~~~ warning ARC1005: from only (sum = 1) on nothing is sent any more: no transition that sends can be taken
     variable Integer sum = 0;
     initial only;
     only [sum < 900 && more > 0 && more < 9 && held == --] / {sum = sum + more, told = sum};
     only [sum >= 900 && held == --] {more == 0} / {sum = 0, told = 0};
-    only [sum < 900 && more > 0 && more < 9 && held] / {sum = sum + 1};
+    only [sum < 901 && more > 0 && more < 9 && held] / {sum = sum + 1};
   }
 }

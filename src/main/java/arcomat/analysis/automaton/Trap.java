@@ -152,8 +152,7 @@ final class Trap extends Analysis {
     private Finding finding(Traps.Entry entry) {
         String states =
                 entry.states().stream().map(subject::state).collect(Collectors.joining(", "));
-        String among =
-                entry.isWhole() ? "; the trap is {%s}" : "; all that it may come to is {%s}";
+        String among = entry.isWhole() ? "; the trap is {%s}" : "; all that it may come to is {%s}";
         Diagnostic diagnostic =
                 Diagnostic.warning(
                         CODE,
@@ -161,9 +160,7 @@ final class Trap extends Analysis {
                         "from %s on nothing is sent any more: no transition that sends can be taken%s"
                                 .formatted(
                                         words(entry.visit().configuration()),
-                                        entry.states().size() == 1
-                                                ? ""
-                                                : among.formatted(states)));
+                                        entry.states().size() == 1 ? "" : among.formatted(states)));
         return finding(diagnostic, entry.visit());
     }
 }

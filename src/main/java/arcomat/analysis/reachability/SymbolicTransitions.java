@@ -36,8 +36,7 @@ public final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     /**
      * @param earlier whether a latched port has had a message before
      */
-    SymbolicTransitions(
-            Subject subject, Logic<T> logic, Instant<T> at, Function<Port, T> earlier) {
+    SymbolicTransitions(Subject subject, Logic<T> logic, Instant<T> at, Function<Port, T> earlier) {
         this.subject = subject;
         this.logic = logic;
         this.at = at;

@@ -102,8 +102,7 @@ public final class Unrolling<T> {
     }
 
     /** Whether a run leads from what is so to what is so; if so, looks at an example. */
-    public Logic.Answer leads(
-            StatePredicate<T> from, StatePredicate<T> to, Consumer<Run> example) {
+    public Logic.Answer leads(StatePredicate<T> from, StatePredicate<T> to, Consumer<Run> example) {
         return logic.assuming(
                 List.of(from.at(transitions.get(0)), atEnd(to)), () -> example.accept(run()));
     }

@@ -66,10 +66,7 @@ public record Replacement(
         return matches.pattern()
                 .match(
                         oneOf ->
-                                message.map(
-                                                read ->
-                                                        PartialEvaluation.among(
-                                                                read, oneOf, matches))
+                                message.map(read -> PartialEvaluation.among(read, oneOf, matches))
                                         .orElse(Formulas.FALSE),
                         () -> Formulas.not(present),
                         () -> present);

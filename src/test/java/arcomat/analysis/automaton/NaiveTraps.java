@@ -24,7 +24,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 
-/** Tries every letter wherever it comes to, with an eye on the latched ports that have a message. */
+/**
+ * Tries every letter wherever it comes to, with an eye on the latched ports that have a message.
+ */
 final class NaiveTraps {
     private record Place(Configuration configuration, Set<Integer> latched) {}
 
@@ -126,9 +128,7 @@ final class NaiveTraps {
             try {
                 next.add(
                         new Place(
-                                subject.relation()
-                                        .take(taken, place.configuration(), input)
-                                        .next(),
+                                subject.relation().take(taken, place.configuration(), input).next(),
                                 latched));
             } catch (Fault fault) {
                 mayEscape.add(place);

@@ -28,13 +28,23 @@ final class RandomTraps {
                     " [key == --]",
                     " [v > 3 && v < 2]");
     private static final List<String> INPUTS =
-            List.of("", "", " {b == true}", " {b == --}", " {n == ?}", " {n == 1}", " {b == false}");
+            List.of(
+                    "",
+                    "",
+                    " {b == true}",
+                    " {b == --}",
+                    " {n == ?}",
+                    " {n == 1}",
+                    " {b == false}");
     private static final List<String> SILENT =
             List.of("", "", "v = n", "w = v", "v = 0", "w = 3", "v = w, w = 1", "v = 3", "w = n");
 
     /** These leave a range where there is one, unless the guard prevents it. */
     private static final List<String> GROWING =
-            List.of(" [v < 3]/ {v = v + 1}", " [v > 0]/ {v = v - 1}", " [w < 3 && n > 1]/ {w = w + 1}");
+            List.of(
+                    " [v < 3]/ {v = v + 1}",
+                    " [v > 0]/ {v = v - 1}",
+                    " [w < 3 && n > 1]/ {w = w + 1}");
 
     private static final List<String> SENDING =
             List.of("x = 1", "x = v", "x = n, v = n", "y = true, v = w", "y = ?, w = 0");

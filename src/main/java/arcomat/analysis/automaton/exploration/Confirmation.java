@@ -61,8 +61,7 @@ public record Confirmation(Subject subject, Stepper stepper) {
         return Optional.empty();
     }
 
-    private Optional<Visit> step(
-            Visit before, Value[] found, Place place, Set<Integer> kept) {
+    private Optional<Visit> step(Visit before, Value[] found, Place place, Set<Integer> kept) {
         Predicate<Value[]> leads = letter -> reaction(before, letter, place).isPresent();
         if (!leads.test(found)) {
             return Optional.empty();

@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -44,6 +45,9 @@ final class Candidates {
             collect(move.goesOn(), atoms);
             collect(move.escapes(), atoms);
         }
+        for (Expression atom : List.copyOf(atoms)) {
+            moves.forEach(move -> before(move, atom).ifPresent(atoms::add));
+        }
         Set<Expression> both = new LinkedHashSet<>();
         atoms.stream()
                 .limit(MOST_ATOMS)
@@ -54,6 +58,12 @@ final class Candidates {
                         });
         both.addAll(limits());
         return List.copyOf(both);
+    }
+
+    /** What has to be so for a condition to be so after a transition, whatever is read. */
+    private static Optional<Expression> before(Move move, Expression after) {
+        return Optional.of(Replacement.ofVariables(move.assigned()).of(after))
+                .filter(before -> !before.equals(after) && isAboutVariables(before));
     }
 
     /** When no message is above a term or below it, or between two. */
@@ -142,10 +152,10 @@ final class Candidates {
     private static void pairs(List<Variable> variables, Set<Expression> all) {
         for (Variable one : variables) {
             for (Variable other : variables) {
-                if (!one.equals(other) && one.type().isNumber() && one.type().equals(other.type())) {
-                    all.add(
-                            Hazard.compare(
-                                    BinaryOperator.LESS_OR_EQUAL, read(one), read(other)));
+                if (!one.equals(other)
+                        && one.type().isNumber()
+                        && one.type().equals(other.type())) {
+                    all.add(Hazard.compare(BinaryOperator.LESS_OR_EQUAL, read(one), read(other)));
                 }
             }
         }

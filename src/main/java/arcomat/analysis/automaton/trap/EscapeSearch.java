@@ -33,6 +33,8 @@ import java.util.function.BooleanSupplier;
  * @param <T> formulas of the solver
  */
 final class EscapeSearch<T> {
+    private static final int NEAR = 2;
+
     private final Subject subject;
     private final List<Move> moves;
     private final PlanConditions conditions;
@@ -47,12 +49,23 @@ final class EscapeSearch<T> {
         this.runs = new RunsFromSpot<>(subject, kind, stop);
     }
 
-    /** A plan from there; nothing where there is none, or none is found. */
-    Optional<Plan> from(Spot spot, Goals goals) {
+    /** A plan of few steps from there; nothing where there is none, or none is found. */
+    Optional<Plan> near(Spot spot, Goals goals) {
+        return from(spot, 0, NEAR, goals);
+    }
+
+    /** A plan of more steps. */
+    Optional<Plan> far(Spot spot, Goals goals) {
+        return from(spot, NEAR + 1, RunsFromSpot.LONGEST, goals);
+    }
+
+    private Optional<Plan> from(Spot spot, int least, int most, Goals goals) {
         Optional<Expression> measured =
                 goals.measure().map(each -> spot.value(each.value(), subject));
         return runs.shortest(
                         spot,
+                        least,
+                        most,
                         (length, there, logic) ->
                                 length == 0
                                         ? escapes(there, logic)
@@ -143,8 +156,7 @@ final class EscapeSearch<T> {
                 .forEach(each -> plans.add(escape(steps, Optional.of(each.taken()), last)));
         if (!steps.isEmpty()) {
             boolean settles = goals.settled().contains(end.configuration().state());
-            plans.add(
-                    new Plan(steps, settles ? Plan.Goal.SETTLES : Plan.Goal.PROGRESSES));
+            plans.add(new Plan(steps, settles ? Plan.Goal.SETTLES : Plan.Goal.PROGRESSES));
         }
         return plans.stream().filter(each -> isPossible(each, spot, goals)).findFirst();
     }
@@ -156,8 +168,7 @@ final class EscapeSearch<T> {
     }
 
     private boolean escapes(Alternative each) {
-        return each.fault().isPresent()
-                || SureSending.sends(subject, each.taken().transition());
+        return each.fault().isPresent() || SureSending.sends(subject, each.taken().transition());
     }
 
     private boolean isPossible(Plan plan, Spot spot, Goals goals) {

@@ -21,10 +21,7 @@ import java.util.TreeSet;
  * @param traps from there nothing is sent
  */
 record Goals(
-        Set<Integer> settled,
-        Optional<Measure> measure,
-        Set<Integer> closer,
-        List<Region> traps) {
+        Set<Integer> settled, Optional<Measure> measure, Set<Integer> closer, List<Region> traps) {
     Goals {
         settled = new TreeSet<>(settled);
         closer = new TreeSet<>(closer);
@@ -44,9 +41,7 @@ record Goals(
         return switch (plan.goal()) {
             case ESCAPES -> conditions.of(plan, Formulas.TRUE);
             case SETTLES ->
-                    settled.contains(state)
-                            ? conditions.of(plan, atEnd(state))
-                            : Optional.empty();
+                    settled.contains(state) ? conditions.of(plan, atEnd(state)) : Optional.empty();
             case PROGRESSES ->
                     closer.contains(state)
                             ? measure.flatMap(each -> closer(each, plan, conditions))

@@ -18,7 +18,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BiPredicate;
 import java.util.stream.Stream;
@@ -137,8 +136,7 @@ final class InductiveConditions<T> {
     }
 
     private T step(Move move) {
-        return steps.computeIfAbsent(
-                move, each -> before.step(each.transition(), after.instant()));
+        return steps.computeIfAbsent(move, each -> before.step(each.transition(), after.instant()));
     }
 
     private List<Expression> thoseOf(List<Expression> conditions, Configuration configuration) {

@@ -60,9 +60,10 @@ record Isolation(Port port) {
     }
 
     private static Expression narrowed(Expression e, Type type) {
-        Type whole = type instanceof Type.IntegerType integer
-                ? Type.IntegerType.of(integer.width())
-                : type;
+        Type whole =
+                type instanceof Type.IntegerType integer
+                        ? Type.IntegerType.of(integer.width())
+                        : type;
         return e.type().equals(whole) ? e : new Expression.Cast(e, whole, e.span());
     }
 

@@ -14,7 +14,6 @@ import arcomat.model.Expression.BinaryOperator;
 record Measure(Expression value, boolean rises) {
     /** Whether a later value is closer to the end. */
     Expression isCloser(Expression later, Expression earlier) {
-        return Hazard.compare(
-                rises ? BinaryOperator.GREATER : BinaryOperator.LESS, later, earlier);
+        return Hazard.compare(rises ? BinaryOperator.GREATER : BinaryOperator.LESS, later, earlier);
     }
 }

@@ -96,7 +96,11 @@ record Move(
 
     /** Where it is known that something never happens, nobody has to look out for it. */
     private static Expression escapes(
-            int index, Expression guardGoesWrong, Expression asked, Expression wrong, Knowledge known) {
+            int index,
+            Expression guardGoesWrong,
+            Expression asked,
+            Expression wrong,
+            Knowledge known) {
         boolean guarded =
                 known.neverHappens(new RunProperty.Wrong(index, Fault.Kind.DIVISION_BY_ZERO));
         Expression inGuard = guarded ? Formulas.FALSE : guardGoesWrong;

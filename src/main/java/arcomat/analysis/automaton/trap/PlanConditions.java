@@ -28,8 +28,7 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
     private static final int MOST_PARTS = 3000;
 
     static PlanConditions of(Subject subject) {
-        return new PlanConditions(
-                subject.component().inputs(), subject.automaton().variables());
+        return new PlanConditions(subject.component().inputs(), subject.automaton().variables());
     }
 
     /**
@@ -48,7 +47,11 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
                             ? Optional.of(possible(step, step.move().escapes()))
                             : condition
                                     .flatMap(each -> before(step, each))
-                                    .map(each -> Formulas.and(possible(step, step.move().goesOn()), each));
+                                    .map(
+                                            each ->
+                                                    Formulas.and(
+                                                            possible(step, step.move().goesOn()),
+                                                            each));
             condition = condition.filter(PlanConditions::isShort);
         }
         return condition;

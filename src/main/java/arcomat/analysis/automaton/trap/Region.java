@@ -30,9 +30,7 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
     /** What has to be so in a state; that some ports have had a message is left aside. */
     Expression in(int state) {
         List<Expression> all = conditions.get(state);
-        return all == null
-                ? Formulas.FALSE
-                : all.stream().reduce(Formulas.TRUE, Formulas::and);
+        return all == null ? Formulas.FALSE : all.stream().reduce(Formulas.TRUE, Formulas::and);
     }
 
     /** Whether the configuration at a point of a run is one of them. */
@@ -58,8 +56,7 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
     Region without(Expression condition, int state) {
         Map<Integer, List<Expression>> fewer = new TreeMap<>(conditions);
         fewer.computeIfPresent(
-                state,
-                (each, all) -> all.stream().filter(one -> one != condition).toList());
+                state, (each, all) -> all.stream().filter(one -> one != condition).toList());
         return new Region(fewer, latched);
     }
 

@@ -18,7 +18,7 @@ import java.util.function.BooleanSupplier;
  */
 final class RunsFromSpot<T> {
     /** Longer runs are not looked for. */
-    private static final int LONGEST = 12;
+    static final int LONGEST = 12;
 
     private final Subject subject;
     private final Logic.Kind<T> kind;
@@ -44,10 +44,14 @@ final class RunsFromSpot<T> {
         this.stop = stop;
     }
 
-    /** A run with an ending; nothing where there is none, or none is found. */
-    Optional<Run> shortest(Spot spot, Ending<T> ending) {
+    /**
+     * A run with an ending; nothing where there is none, or none is found.
+     *
+     * @param least inputs, where it is known that less are not enough
+     */
+    Optional<Run> shortest(Spot spot, int least, int most, Ending<T> ending) {
         Logic.Answer answer = Logic.Answer.NO;
-        for (int i = 0; i <= LONGEST && answer == Logic.Answer.NO; i++) {
+        for (int i = least; i <= most && answer == Logic.Answer.NO; i++) {
             int length = i;
             Bounded<T> all = ofLength(length);
             List<Run> found = new ArrayList<>();
@@ -89,6 +93,7 @@ final class RunsFromSpot<T> {
 
     /** Whether some run from there is in a state at its end. */
     boolean reaches(int state, Spot spot) {
-        return shortest(spot, (length, there, logic) -> there.instant().isIn(state)).isPresent();
+        return shortest(spot, 0, LONGEST, (length, there, logic) -> there.instant().isIn(state))
+                .isPresent();
     }
 }

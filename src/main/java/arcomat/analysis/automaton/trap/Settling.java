@@ -154,17 +154,23 @@ final class Settling<T> {
         return all;
     }
 
-    /** A plan from there, or that it is in a trap. */
+    /** A plan from there, or that it is in a trap; short plans are found sooner than traps. */
     private boolean learns(Spot spot, Goals goals) {
-        Optional<Plan> plan = escapes.from(spot, goals);
-        if (plan.isPresent()) {
-            for (Plan each : generalization.of(plan.get())) {
-                goals.condition(each, conditions)
-                        .filter(condition -> spot.satisfies(condition, subject))
-                        .ifPresent(condition -> insight.plan(each, condition));
-            }
-            return true;
+        return learns(escapes.near(spot, goals), spot, goals)
+                || isTrapped(spot)
+                || learns(escapes.far(spot, goals), spot, goals);
+    }
+
+    private boolean learns(Optional<Plan> plan, Spot spot, Goals goals) {
+        for (Plan each : plan.map(generalization::of).orElse(List.of())) {
+            goals.condition(each, conditions)
+                    .filter(condition -> spot.satisfies(condition, subject))
+                    .ifPresent(condition -> insight.plan(each, condition));
         }
+        return plan.isPresent();
+    }
+
+    private boolean isTrapped(Spot spot) {
         Optional<Region> trap = trap(spot);
         trap.ifPresent(insight.traps::add);
         return trap.isPresent();

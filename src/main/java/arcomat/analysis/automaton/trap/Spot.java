@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicTransitions;
-import arcomat.analysis.reachability.Logic;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;

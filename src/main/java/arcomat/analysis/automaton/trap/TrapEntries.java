@@ -12,9 +12,7 @@ import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicTransitions;
 import arcomat.analysis.reachability.Unrolling;
 import arcomat.analysis.reachability.Unrolling.StatePredicate;
-import arcomat.analysis.search.system.ConfigurationText;
 import arcomat.analysis.smt.LinearLogic;
-import arcomat.model.Expression;
 import arcomat.model.Port;
 
 import java.util.ArrayList;
