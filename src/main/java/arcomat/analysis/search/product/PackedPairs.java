@@ -153,8 +153,7 @@ final class PackedPairs implements PairStore {
     @Override
     public PairStore amongSets(MacroStates sets, Budget budget) {
         addWaiting();
-        PairsAmongSets all = 
-                new PairsAmongSets(network, layout, sets, budget, frontier, failure);
+        PairsAmongSets all = new PairsAmongSets(network, layout, sets, budget, frontier, failure);
         long[] key = new long[layout.words()];
         for (int pair = 0; pair < pairs.size(); pair++) {
             pairs.get(pair, key);

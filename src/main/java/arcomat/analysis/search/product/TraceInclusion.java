@@ -299,9 +299,7 @@ public final class TraceInclusion {
                         ? Optional.empty()
                         : best != null
                                 ? Optional.of(false)
-                                : invariant().isPresent()
-                                        ? Optional.empty()
-                                        : simulated();
+                                : invariant().isPresent() ? Optional.empty() : simulated();
         return new Result(
                 Optional.ofNullable(best), stopped, simulated, chaosReached, promising, pairs());
     }
