@@ -48,6 +48,7 @@ public final class RandomRows {
         equal(2 + random.nextInt(3));
         file("Any", promise(""));
         file("Some", promise("s [i == 1] / {};\n s [i == 0] / {};\n s [i == --] / {o = 0};"));
+        several();
     }
 
     private void equal(int count) {
@@ -120,6 +121,48 @@ public final class RandomRows {
         file(
                 "Some",
                 promise("s -> t [i == 1] / {o = 0};\n t [i == 0] / {o = 1};\n t [i == 1] / {};"));
+        several();
+    }
+
+    /** It may be in several states after the same messages, more and fewer of them. */
+    private void several() {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 4 + random.nextInt(8); i++) {
+            text.append(
+                    " s%d -> s%d%s / {%s};%n"
+                            .formatted(
+                                    random.nextInt(4),
+                                    random.nextInt(4),
+                                    any("", " [i == 1]", " [i == 0]", " [i == --]"),
+                                    any("", "o = ?", "o = ?", "o = 0", "o = --")));
+        }
+        boolean tolerant = random.nextBoolean();
+        for (int state = 0; state < 4 && tolerant; state++) {
+            String to = " s%d -> s%d".formatted(state, random.nextInt(4));
+            text.append(to).append(" / {o = ?};\n").append(to).append(" / {o = --};\n");
+        }
+        String start = late ? " / {o = 0}" : "";
+        file(
+                "Several",
+                """
+                component NAME {
+                  %s
+                  port in Integer[0..1] i, out Integer[0..%d] o;
+                  <<completion = "%s">> automaton {
+                    state s0, s1, s2, s3;
+                    initial s0%s;
+                    initial s1%s;
+                    %s
+                  }
+                }
+                """
+                        .formatted(
+                                late ? "" : "timing instant;",
+                                most,
+                                any("output", "output", "chaos", "ignore", "error"),
+                                start,
+                                start,
+                                text));
     }
 
     public Promise whole(String name) {

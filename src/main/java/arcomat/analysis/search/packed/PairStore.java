@@ -1,5 +1,8 @@
 package arcomat.analysis.search.packed;
 
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.MacroStates;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
@@ -67,6 +70,16 @@ public interface PairStore {
      * steps are.
      */
     int configurations(int sets);
+
+    /**
+     * The same pairs, where from now on the right side may be in several configurations at once. A
+     * pair may be left out there whose set has a smaller one beside it.
+     *
+     * @param budget asked whether it may
+     */
+    default PairStore amongSets(MacroStates sets, Budget budget) {
+        return this;
+    }
 
     /** After the last step of a search. */
     void close();

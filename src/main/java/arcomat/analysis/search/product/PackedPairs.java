@@ -1,5 +1,7 @@
 package arcomat.analysis.search.product;
 
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.MacroStates;
 import arcomat.analysis.search.packed.CheapestFailure;
 import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
@@ -13,7 +15,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Pairs in memory. */
+/** Pairs in memory, as long as no set has several members. */
 final class PackedPairs implements PairStore {
     private final PackedNetwork network;
     private PackedLayout layout;
@@ -30,14 +32,7 @@ final class PackedPairs implements PairStore {
     private int waiting;
     private final IntArrayList parents = new IntArrayList();
 
-    /** Of the level that is expanded, and of the one that is found, from their first pair on. */
-    private IntArrayList costs = new IntArrayList();
-
-    private IntArrayList nextCosts = new IntArrayList();
-    private int levelStart;
-    private int nextStart;
-    private int[] level = new int[0];
-    private int position = -1;
+    private final Frontier frontier = new Frontier();
     private final CheapestFailure failure = new CheapestFailure();
 
     PackedPairs(PackedNetwork network, PackedLayout layout) {
@@ -71,17 +66,17 @@ final class PackedPairs implements PairStore {
 
     @Override
     public void get(long[] into) {
-        pairs.get(level[position], into);
+        pairs.get(frontier.pair(), into);
     }
 
     @Override
     public int node() {
-        return level[position];
+        return frontier.pair();
     }
 
     @Override
     public int cost() {
-        return costs.get(level[position] - levelStart);
+        return frontier.cost();
     }
 
     @Override
@@ -126,9 +121,8 @@ final class PackedPairs implements PairStore {
         int number = pairs.add(waitingKeys, which * layout.words());
         if (number < 0) {
             parents.add(parentsOfWaiting[which]);
-            nextCosts.add(cost);
-        } else if (number >= nextStart && cost < nextCosts.get(number - nextStart)) {
-            nextCosts.set(number - nextStart, cost);
+            frontier.add(cost);
+        } else if (frontier.cheapens(number, cost)) {
             parents.set(number, parentsOfWaiting[which]);
         }
     }
@@ -136,41 +130,12 @@ final class PackedPairs implements PairStore {
     @Override
     public boolean nextLevel() {
         addWaiting();
-        costs = nextCosts;
-        nextCosts = new IntArrayList();
-        levelStart = nextStart;
-        nextStart = pairs.size();
-        level = sorted();
-        position = -1;
-        return level.length > 0;
+        return frontier.nextLevel();
     }
 
     @Override
     public boolean next() {
-        return ++position < level.length;
-    }
-
-    /** By counting; those that cost the same keep their order. */
-    private int[] sorted() {
-        int count = costs.size();
-        int least = Integer.MAX_VALUE;
-        int most = Integer.MIN_VALUE;
-        for (int i = 0; i < count; i++) {
-            least = Math.min(least, costs.get(i));
-            most = Math.max(most, costs.get(i));
-        }
-        int[] starts = new int[count == 0 ? 1 : most - least + 2];
-        for (int i = 0; i < count; i++) {
-            starts[costs.get(i) - least + 1]++;
-        }
-        for (int i = 1; i < starts.length; i++) {
-            starts[i] += starts[i - 1];
-        }
-        int[] sorted = new int[count];
-        for (int i = 0; i < count; i++) {
-            sorted[starts[costs.get(i) - least]++] = levelStart + i;
-        }
-        return sorted;
+        return frontier.next();
     }
 
     @Override
@@ -183,6 +148,22 @@ final class PackedPairs implements PairStore {
         }
         Collections.reverse(path);
         return path;
+    }
+
+    @Override
+    public PairStore amongSets(MacroStates sets, Budget budget) {
+        addWaiting();
+        PairsAmongSets all = new PairsAmongSets(network, layout, sets, budget, frontier, failure);
+        long[] key = new long[layout.words()];
+        for (int pair = 0; pair < pairs.size(); pair++) {
+            pairs.get(pair, key);
+            all.take(key, parents.get(pair));
+        }
+        for (int i = 0; i < loose.size(); i++) {
+            loose.get(i, key);
+            all.addLoose(key);
+        }
+        return all;
     }
 
     @Override
