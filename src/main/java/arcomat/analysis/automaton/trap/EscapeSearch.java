@@ -49,6 +49,11 @@ final class EscapeSearch<T> {
         this.runs = new RunsFromSpot<>(subject, kind, stop);
     }
 
+    /** Whether nothing so far had to be replaced by something that may be anything. */
+    boolean isExact() {
+        return runs.isExact();
+    }
+
     /** A plan of few steps from there; nothing where there is none, or none is found. */
     Optional<Plan> near(Spot spot, Goals goals) {
         return from(spot, 0, NEAR, goals);

@@ -52,6 +52,11 @@ final class InductiveConditions<T> {
         logic.claim(before.keepsLatched(next));
     }
 
+    /** Whether nothing so far had to be replaced by something that may be anything. */
+    boolean isExact() {
+        return logic.isExact();
+    }
+
     /** These hold in each state whenever a run is there. */
     void know(Map<Integer, List<Expression>> conditions) {
         conditions.forEach((state, all) -> known.put(state, all));

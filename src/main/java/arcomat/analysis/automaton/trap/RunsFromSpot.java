@@ -91,6 +91,11 @@ final class RunsFromSpot<T> {
                 == Logic.Answer.NO;
     }
 
+    /** Whether nothing so far had to be replaced by something that may be anything. */
+    boolean isExact() {
+        return bounded.stream().allMatch(each -> each.logic.isExact());
+    }
+
     /** Whether some run from there is in a state at its end. */
     boolean reaches(int state, Spot spot) {
         return shortest(spot, 0, LONGEST, (length, there, logic) -> there.instant().isIn(state))

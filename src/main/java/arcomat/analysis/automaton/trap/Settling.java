@@ -62,7 +62,8 @@ final class Settling<T> {
 
     /** Whether another solver would not find out more. */
     boolean isConclusive() {
-        return insight.open().isEmpty() || question.isExact() && !doubtful;
+        boolean isExact = question.isExact() && escapes.isExact() && induction.isExact();
+        return insight.open().isEmpty() || isExact && !doubtful;
     }
 
     void run() {

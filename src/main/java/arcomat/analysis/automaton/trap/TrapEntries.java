@@ -169,14 +169,18 @@ final class TrapEntries {
 
     /** The states that it may come to from there, as far as one can tell. */
     private Traps.Entry entry(Visit visit) {
+        Traps.Entry entry = entry(visit, LinearLogic.KIND);
+        return entry.isWhole() ? entry : entry(visit, BitLogic.KIND);
+    }
+
+    private <T> Traps.Entry entry(Visit visit, Logic.Kind<T> kind) {
         Set<Port> latched =
                 visit.latched().stream()
                         .map(subject.component().inputs()::get)
                         .filter(Spot.latchable(subject)::contains)
                         .collect(Collectors.toSet());
         List<Move> moves = Move.all(known);
-        Logic.Kind<?> kind = LinearLogic.KIND;
-        InductiveConditions<?> induction =
+        InductiveConditions<T> induction =
                 new InductiveConditions<>(subject, moves, kind.about(subject, stop));
         Set<Integer> states =
                 induction
@@ -185,9 +189,12 @@ final class TrapEntries {
                                 latched,
                                 new Candidates(subject, moves).all())
                         .keySet();
-        RunsFromSpot<?> runs = new RunsFromSpot<>(subject, kind, stop);
+        RunsFromSpot<T> runs = new RunsFromSpot<>(subject, kind, stop);
         Spot spot = new Spot(visit.configuration(), latched);
-        boolean isWhole = states.stream().allMatch(state -> runs.reaches(state, spot));
+        boolean isWhole =
+                states.size() == 1
+                        || states.stream().allMatch(state -> runs.reaches(state, spot))
+                                && runs.isExact();
         return new Traps.Entry(visit, states, isWhole);
     }
 }
