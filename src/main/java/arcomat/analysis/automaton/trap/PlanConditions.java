@@ -77,8 +77,11 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
         Map<String, Expression> assigned = step.move().assigned();
         boolean alike =
                 variables.stream()
-                        .filter(each -> assigned.containsKey(each.name()))
-                        .allMatch(each -> isAlike(each.type(), assigned.get(each.name()).type()));
+                        .allMatch(
+                                each -> {
+                                    Expression value = assigned.get(each.name());
+                                    return value == null || isAlike(each.type(), value.type());
+                                });
         return alike
                 ? Optional.of(onLetter(step, Replacement.ofVariables(assigned).of(after)))
                 : Optional.empty();
