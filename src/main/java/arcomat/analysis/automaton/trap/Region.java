@@ -60,6 +60,11 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
         return new Region(fewer, latched);
     }
 
+    /** The same configurations, whichever ports have had a message. */
+    Region withoutLatched() {
+        return new Region(conditions, Set.of());
+    }
+
     /** Whether two have a state in common. */
     boolean meets(Region other) {
         return conditions.keySet().stream().anyMatch(other.conditions::containsKey);

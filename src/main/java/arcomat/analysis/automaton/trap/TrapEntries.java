@@ -47,24 +47,42 @@ final class TrapEntries {
         List<Traps.Entry> entered = new ArrayList<>();
         String obstacle = "";
         for (List<Region> group : groups()) {
-            Entrance entrance = entrance(group, LinearLogic.KIND);
-            if (entrance.isOpen()) {
-                entrance = entrance(group, BitLogic.KIND);
-            }
-            Optional<Visit> visit = entrance.visit().or(() -> explored(group));
-            if (visit.isPresent()) {
-                entered.add(entry(visit.get()));
+            Entrance entrance = entrance(group);
+            if (entrance.visit().isPresent()) {
+                entered.add(entry(entrance.visit().get()));
             } else if (entrance.isOpen()) {
-                obstacle = unreached(group);
+                obstacle = "in %s there is one, but it is open whether a run gets there";
+                obstacle = obstacle.formatted(names(group));
+            } else if (isEnteredByLatching(group)) {
+                obstacle = "in %s there is one as soon as latched ports have had a message";
+                obstacle = obstacle.formatted(names(group));
             }
         }
         return new Traps(entered, obstacle);
     }
 
-    private String unreached(List<Region> group) {
-        Set<Integer> states = states(group);
-        return "in %s there is one, but it is open whether a run gets there"
-                .formatted(states.stream().map(subject::state).collect(Collectors.joining(", ")));
+    private Entrance entrance(List<Region> group) {
+        Entrance linear = entrance(group, LinearLogic.KIND);
+        Entrance entrance = linear.isOpen() ? entrance(group, BitLogic.KIND) : linear;
+        return entrance.visit().isPresent()
+                ? entrance
+                : new Entrance(explored(group), entrance.isOpen());
+    }
+
+    /**
+     * A latched port may have a message at any time, but runs are looked at for transitions only:
+     * what happens where none awaits that message is not claimed to be no trap.
+     */
+    private boolean isEnteredByLatching(List<Region> group) {
+        if (group.stream().allMatch(each -> each.latched().isEmpty())) {
+            return false;
+        }
+        Entrance entrance = entrance(group.stream().map(Region::withoutLatched).toList());
+        return entrance.visit().isPresent() || entrance.isOpen();
+    }
+
+    private String names(List<Region> group) {
+        return states(group).stream().map(subject::state).collect(Collectors.joining(", "));
     }
 
     /** Traps with a common state are one. */
