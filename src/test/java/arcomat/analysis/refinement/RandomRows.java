@@ -8,6 +8,7 @@ import arcomat.source.SourceFile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 
 /**
  * Rows and rings of parts, most of them of one kind: with variables, choices, ranges that may be
@@ -141,28 +142,10 @@ public final class RandomRows {
             String to = " s%d -> s%d".formatted(state, random.nextInt(4));
             text.append(to).append(" / {o = ?};\n").append(to).append(" / {o = --};\n");
         }
-        String start = late ? " / {o = 0}" : "";
+        String completion = any("output", "output", "chaos", "ignore", "error");
         file(
                 "Several",
-                """
-                component NAME {
-                  %s
-                  port in Integer[0..1] i, out Integer[0..%d] o;
-                  <<completion = "%s">> automaton {
-                    state s0, s1, s2, s3;
-                    initial s0%s;
-                    initial s1%s;
-                    %s
-                  }
-                }
-                """
-                        .formatted(
-                                late ? "" : "timing instant;",
-                                most,
-                                any("output", "output", "chaos", "ignore", "error"),
-                                start,
-                                start,
-                                text));
+                promise(completion, "s0, s1, s2, s3", List.of("s0", "s1"), text.toString()));
     }
 
     public Promise whole(String name) {
@@ -182,19 +165,32 @@ public final class RandomRows {
     }
 
     private String promise(String transitions) {
+        return promise("output", "s, t", List.of("s"), transitions);
+    }
+
+    private String promise(
+            String completion, String states, List<String> initial, String transitions) {
+        String start = late ? " / {o = 0}" : "";
         return """
         component NAME {
           %s
           port in Integer[0..1] i, out Integer[0..%d] o;
-          <<completion = "output">> automaton {
-            state s, t;
-            initial s%s;
+          <<completion = "%s">> automaton {
+            state %s;
+            %s
             %s
           }
         }
         """
                 .formatted(
-                        late ? "" : "timing instant;", most, late ? " / {o = 0}" : "", transitions);
+                        late ? "" : "timing instant;",
+                        most,
+                        completion,
+                        states,
+                        initial.stream()
+                                .map(state -> "initial " + state + start + ";")
+                                .collect(Collectors.joining(" ")),
+                        transitions);
     }
 
     /** It reads its neighbours x and y, and what comes from outside, e. */

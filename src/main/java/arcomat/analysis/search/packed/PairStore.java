@@ -27,7 +27,7 @@ public interface PairStore {
     long size();
 
     /** Nobody waits where there may be more than so many. */
-    void countBeyond(long most);
+    default void countBeyond(long most) {}
 
     /**
      * A configuration is reached, together with a set.
@@ -73,7 +73,7 @@ public interface PairStore {
 
     /**
      * The same pairs, where from now on the right side may be in several configurations at once. A
-     * pair may be left out there whose set has a smaller one beside it.
+     * pair may be left out there whose set has a smaller one beside it. May be told again.
      *
      * @param budget asked whether it may
      */
@@ -82,7 +82,7 @@ public interface PairStore {
     }
 
     /** After the last step of a search. */
-    void close();
+    default void close() {}
 
     /** What was not known before has been computed to expand the pair. */
     default void learn() {}

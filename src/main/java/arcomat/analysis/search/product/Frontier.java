@@ -13,7 +13,10 @@ final class Frontier {
     private IntArrayList nextCosts = new IntArrayList();
     private int levelStart;
     private int nextStart;
+
+    /** Positions in the costs of the level that is expanded. */
     private int[] level = new int[0];
+
     private int position = -1;
 
     /** A new pair has been found, after so many messages. */
@@ -46,7 +49,7 @@ final class Frontier {
         nextCosts = new IntArrayList();
         levelStart = nextStart;
         nextStart = levelStart + costs.size();
-        level = sorted();
+        level = byCost(costs, 0);
         position = -1;
         return level.length > 0;
     }
@@ -58,33 +61,37 @@ final class Frontier {
 
     /** The pair that is expanded. */
     int pair() {
-        return level[position];
+        return levelStart + level[position];
     }
 
     /** The messages on the way to it. */
     int cost() {
-        return costs.get(level[position] - levelStart);
+        return costs.get(level[position]);
     }
 
-    /** By counting; those that cost the same keep their order. */
-    private int[] sorted() {
-        int count = costs.size();
+    /**
+     * Positions, the least costs first, by counting; those that cost the same keep their order.
+     *
+     * @param from positions before that one are left out
+     */
+    static int[] byCost(IntArrayList costs, int from) {
         int least = Integer.MAX_VALUE;
         int most = Integer.MIN_VALUE;
-        for (int i = 0; i < count; i++) {
+        for (int i = from; i < costs.size(); i++) {
             least = Math.min(least, costs.get(i));
             most = Math.max(most, costs.get(i));
         }
+        int count = costs.size() - from;
         int[] starts = new int[count == 0 ? 1 : most - least + 2];
-        for (int i = 0; i < count; i++) {
+        for (int i = from; i < costs.size(); i++) {
             starts[costs.get(i) - least + 1]++;
         }
         for (int i = 1; i < starts.length; i++) {
             starts[i] += starts[i - 1];
         }
         int[] sorted = new int[count];
-        for (int i = 0; i < count; i++) {
-            sorted[starts[costs.get(i) - least]++] = levelStart + i;
+        for (int i = from; i < costs.size(); i++) {
+            sorted[starts[costs.get(i) - least]++] = i;
         }
         return sorted;
     }

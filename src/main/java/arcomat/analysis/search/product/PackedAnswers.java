@@ -90,14 +90,13 @@ final class PackedAnswers {
     private final List<LongObjectHashMap<Frame>> frames = new ArrayList<>();
     private final Map<Alphabet, int[][]> letters = new IdentityHashMap<>();
     private final Runnable whenSeveral;
-    private boolean several;
     private boolean chaosReached;
     private boolean promising;
     private int computed;
 
     /**
-     * @param whenSeveral called when for the first time the right side may be in several
-     *     configurations at once, before that is told
+     * @param whenSeveral called where the right side may be in several configurations at once,
+     *     before that is told
      */
     PackedAnswers(
             Product product, NetworkSystem left, PackedNetwork network, Runnable whenSeveral) {
@@ -125,11 +124,6 @@ final class PackedAnswers {
     /** Whether the right side is not in chaos after some input. */
     boolean promising() {
         return promising;
-    }
-
-    /** Whether the right side was never in several configurations at once. */
-    boolean areDetermined() {
-        return !several;
     }
 
     /** How many sets of the right side have been met. */
@@ -234,8 +228,7 @@ final class PackedAnswers {
             chaosReached = true;
             return set;
         }
-        if (product.sets.members(set).length > 1 && !several) {
-            several = true;
+        if (product.sets.members(set).length > 1) {
             whenSeveral.run();
         }
         boolean chaos = product.isInChaos(set);

@@ -50,6 +50,7 @@ final class PackedInclusion {
     private final SymbolicTurns symbolic;
     private final PackedAnswers answers;
     private PairStore pairs;
+    private boolean determined = true;
     private PackedLayout layout;
     private PackedSlices slices;
 
@@ -106,6 +107,7 @@ final class PackedInclusion {
     }
 
     private void amongSets() {
+        determined = false;
         pairs = pairs.amongSets(product.sets, budget);
     }
 
@@ -135,7 +137,7 @@ final class PackedInclusion {
 
     /** Whether every set that was met has one member. */
     boolean isDetermined() {
-        return answers.areDetermined();
+        return determined;
     }
 
     /** How many pairs have been met. */

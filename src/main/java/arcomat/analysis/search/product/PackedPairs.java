@@ -2,27 +2,15 @@ package arcomat.analysis.search.product;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.MacroStates;
-import arcomat.analysis.search.packed.CheapestFailure;
 import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.analysis.search.packed.PackedTable;
 import arcomat.analysis.search.packed.PairStore;
 
-import com.carrotsearch.hppc.IntArrayList;
-
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
-
 /** Pairs in memory, as long as no set has several members. */
-final class PackedPairs implements PairStore {
-    private final PackedNetwork network;
-    private PackedLayout layout;
+final class PackedPairs extends PairsInMemory {
     private PackedTable pairs;
-
-    /** Configurations after steps that end the search: they are in no pair. */
-    private PackedTable loose;
 
     /** Pairs that are added a little later: of many at once, the table finds the places sooner. */
     private long[] waitingKeys;
@@ -30,16 +18,10 @@ final class PackedPairs implements PairStore {
     private final int[] parentsOfWaiting = new int[PackedTable.MOST_TOUCHED];
     private final int[] costsOfWaiting = new int[PackedTable.MOST_TOUCHED];
     private int waiting;
-    private final IntArrayList parents = new IntArrayList();
-
-    private final Frontier frontier = new Frontier();
-    private final CheapestFailure failure = new CheapestFailure();
 
     PackedPairs(PackedNetwork network, PackedLayout layout) {
-        this.network = network;
-        this.layout = layout;
+        super(network, layout);
         pairs = new PackedTable(layout.words());
-        loose = new PackedTable(layout.words());
         waitingKeys = new long[layout.words() * PackedTable.MOST_TOUCHED];
     }
 
@@ -47,9 +29,8 @@ final class PackedPairs implements PairStore {
     public void move(PackedLayout to) {
         addWaiting();
         pairs = pairs.moved(layout, to);
-        loose = loose.moved(layout, to);
         waitingKeys = new long[to.words() * PackedTable.MOST_TOUCHED];
-        layout = to;
+        super.move(to);
     }
 
     @Override
@@ -65,18 +46,8 @@ final class PackedPairs implements PairStore {
     }
 
     @Override
-    public void get(long[] into) {
-        pairs.get(frontier.pair(), into);
-    }
-
-    @Override
-    public int node() {
-        return frontier.pair();
-    }
-
-    @Override
-    public int cost() {
-        return frontier.cost();
+    void get(int pair, long[] into) {
+        pairs.get(pair, into);
     }
 
     @Override
@@ -91,21 +62,6 @@ final class PackedPairs implements PairStore {
         System.arraycopy(key, 0, waitingKeys, waiting * key.length, key.length);
         parentsOfWaiting[waiting] = parent;
         costsOfWaiting[waiting++] = cost;
-    }
-
-    @Override
-    public void addLoose(long[] key) {
-        loose.add(key);
-    }
-
-    @Override
-    public void fail(int parent, int cost) {
-        failure.add(parent, cost);
-    }
-
-    @Override
-    public CheapestFailure failure() {
-        return failure;
     }
 
     private void addWaiting() {
@@ -130,40 +86,13 @@ final class PackedPairs implements PairStore {
     @Override
     public boolean nextLevel() {
         addWaiting();
-        return frontier.nextLevel();
-    }
-
-    @Override
-    public boolean next() {
-        return frontier.next();
-    }
-
-    @Override
-    public List<long[]> path() {
-        List<long[]> path = new ArrayList<>();
-        for (int node = (int) failure.pair(); node != NONE; node = parents.get(node)) {
-            long[] key = new long[layout.words()];
-            pairs.get(node, key);
-            path.add(key);
-        }
-        Collections.reverse(path);
-        return path;
+        return super.nextLevel();
     }
 
     @Override
     public PairStore amongSets(MacroStates sets, Budget budget) {
         addWaiting();
-        PairsAmongSets all = new PairsAmongSets(network, layout, sets, budget, frontier, failure);
-        long[] key = new long[layout.words()];
-        for (int pair = 0; pair < pairs.size(); pair++) {
-            pairs.get(pair, key);
-            all.take(key, parents.get(pair));
-        }
-        for (int i = 0; i < loose.size(); i++) {
-            loose.get(i, key);
-            all.addLoose(key);
-        }
-        return all;
+        return new PairsAmongSets(this, sets, budget);
     }
 
     @Override

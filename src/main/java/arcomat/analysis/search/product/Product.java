@@ -124,7 +124,12 @@ final class Product {
 
     /** Whether the right side may be in chaos, of a macro state. */
     boolean isInChaos(int set) {
-        return Arrays.stream(sets.members(set)).anyMatch(right::isChaos);
+        for (int member : sets.members(set)) {
+            if (right.isChaos(member)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The messages of a letter of the left side that the right side knows. */
