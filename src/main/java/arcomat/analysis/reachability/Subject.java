@@ -68,6 +68,15 @@ public record Subject(
         return timed && port.total() || port.first().isPresent();
     }
 
+    /** The ports that have nothing until their first message, and something ever after. */
+    public List<Port> latchable() {
+        return component.profile() == Component.Profile.TIME_SYNCHRONOUS
+                ? List.of()
+                : component.inputs().stream()
+                        .filter(port -> port.latched() && !isAlwaysThere(port))
+                        .toList();
+    }
+
     /** The states that transitions lead to from a beginning, whatever their guards say. */
     public static BitSet connected(Automaton automaton) {
         Digraph states = new Digraph(automaton.states().size());

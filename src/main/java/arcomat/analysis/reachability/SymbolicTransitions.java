@@ -75,10 +75,8 @@ public final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     /** Latched ports do not lose their message until then. */
     public T keepsLatched(Instant<T> next) {
         List<T> kept = new ArrayList<>();
-        for (Port port : subject.component().inputs()) {
-            if (subject.component().profile() == Component.Profile.EVENT_DRIVEN && port.latched()) {
-                kept.add(or(not(at.has(port)), next.has(port)));
-            }
+        for (Port port : subject.latchable()) {
+            kept.add(or(not(at.has(port)), next.has(port)));
         }
         return logic.and(kept);
     }

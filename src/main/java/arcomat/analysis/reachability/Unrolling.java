@@ -64,12 +64,24 @@ public final class Unrolling<T> {
         impossible.forEach(known -> claimNever(known, next));
     }
 
-    /** Latched ports keep their message: who had one before had it in the letter before. */
+    /** Latched ports keep their message: which have had one before, the letter before tells. */
     private Function<Port, T> earlier(Instant<T> instant) {
         if (!transitions.isEmpty()) {
             return transitions.get(transitions.size() - 1).instant()::has;
         }
-        return begins ? port -> logic.of(subject.isAlwaysThere(port)) : instant::has;
+        if (begins) {
+            return port -> logic.of(subject.isAlwaysThere(port));
+        }
+        return subject.latchable().isEmpty() ? instant::has : beforehand(instant)::has;
+    }
+
+    /** What was read before a run that begins anywhere; of that, latched messages matter only. */
+    private Instant<T> beforehand(Instant<T> first) {
+        SymbolicTransitions<T> before =
+                new SymbolicTransitions<>(subject, logic, logic.instant());
+        logic.claim(before.instant().isWellTyped());
+        logic.claim(before.keepsLatched(first));
+        return before.instant();
     }
 
     private void step(SymbolicTransitions<T> before, Instant<T> next) {

@@ -120,7 +120,7 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
             }
         }
         for (Variable each : variables) {
-            if (isMessage(each.type(), inputs.get(port).type())) {
+            if (PlanConditions.isAlike(each.type(), inputs.get(port).type())) {
                 terms.add(new Expression.VariableRead(each, each.span()));
             }
         }
@@ -129,7 +129,7 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
 
     private static boolean isMessage(Expression term, Type type) {
         return term.ports().isEmpty()
-                && isMessage(term.type(), type)
+                && PlanConditions.isAlike(term.type(), type)
                 && !term.contains(Generalization::mayDivide)
                 && !(term instanceof Expression.Constant constant && !type.has(constant.value()));
     }
@@ -140,23 +140,12 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
                         || binary.operator() == BinaryOperator.REMAINDER);
     }
 
-    private static boolean isMessage(Type term, Type port) {
-        return term.equals(port)
-                || term instanceof Type.IntegerType one
-                        && port instanceof Type.IntegerType other
-                        && one.width() == other.width();
-    }
-
     /** A whole number next to a term. */
     private static Optional<Expression> beside(Expression term, int distance) {
         if (!(term.type() instanceof Type.IntegerType integer)) {
             return Optional.empty();
         }
-        Type wide = Type.IntegerType.of(integer.width());
-        Expression number =
-                new Expression.Constant(new Value.IntegerValue(distance), wide, term.span());
-        Expression sum =
-                new Expression.Binary(BinaryOperator.PLUS, term, number, wide, term.span());
+        Expression sum = Sums.beside(term, integer, distance);
         return Optional.of(Replacement.ofVariables(Map.of()).of(sum));
     }
 

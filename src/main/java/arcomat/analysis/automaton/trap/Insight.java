@@ -77,7 +77,7 @@ final class Insight {
     /** The latched ports that have no message in some step of a plan. */
     Set<Port> silent(Plan plan) {
         List<Port> inputs = subject.component().inputs();
-        return Spot.latchable(subject).stream()
+        return subject.latchable().stream()
                 .filter(
                         port ->
                                 plan.steps().stream()

@@ -2,7 +2,6 @@ package arcomat.analysis.automaton.trap;
 
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Variable;
 
 import java.util.ArrayList;
@@ -56,13 +55,7 @@ record Measures(Subject subject, List<Move> moves) {
                             && binary.right() instanceof Expression.VariableRead right
                             && left.type().isNumber()
                             && left.type().equals(right.type())) {
-                        numbers.add(
-                                new Expression.Binary(
-                                        BinaryOperator.MINUS,
-                                        left,
-                                        right,
-                                        left.type(),
-                                        left.span()));
+                        numbers.add(Sums.difference(left, right));
                     }
                 });
     }

@@ -87,10 +87,12 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
                 : Optional.empty();
     }
 
-    /** Whether a value stays what it is when it is assigned. */
-    private static boolean isAlike(Type one, Type other) {
+    /** Whether values of two types are computed with alike: a range makes no difference. */
+    static boolean isAlike(Type one, Type other) {
         return one.equals(other)
-                || one instanceof Type.IntegerType && other instanceof Type.IntegerType;
+                || one instanceof Type.IntegerType first
+                        && other instanceof Type.IntegerType second
+                        && first.width() == second.width();
     }
 
     /** That a condition over variables and messages is so on what is read, which has to fit. */

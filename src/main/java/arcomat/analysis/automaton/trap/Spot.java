@@ -3,7 +3,6 @@ package arcomat.analysis.automaton.trap;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicTransitions;
-import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -27,15 +26,6 @@ record Spot(Configuration configuration, Set<Port> latched) {
         latched = Set.copyOf(latched);
     }
 
-    /** The ports that have nothing until their first message, and never again. */
-    static List<Port> latchable(Subject subject) {
-        return subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS
-                ? List.of()
-                : subject.component().inputs().stream()
-                        .filter(port -> port.latched() && !subject.isAlwaysThere(port))
-                        .toList();
-    }
-
     /** After the answer yes: the example's at a point of a run. */
     static Spot of(SymbolicTransitions<?> there, Subject subject) {
         var place = there.instant().place();
@@ -44,7 +34,7 @@ record Spot(Configuration configuration, Set<Port> latched) {
         return new Spot(
                 new Configuration(place.state(), place.variables().toArray(Value[]::new)),
                 Set.copyOf(
-                        latchable(subject).stream()
+                        subject.latchable().stream()
                                 .filter(port -> letter[inputs.indexOf(port)] != null)
                                 .toList()));
     }

@@ -195,7 +195,7 @@ final class TrapEntries {
         Set<Port> latched =
                 visit.latched().stream()
                         .map(subject.component().inputs()::get)
-                        .filter(Spot.latchable(subject)::contains)
+                        .filter(subject.latchable()::contains)
                         .collect(Collectors.toSet());
         List<Move> moves = Move.all(known);
         InductiveConditions<T> induction =
