@@ -1,5 +1,11 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.reachability.Subject;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.models.ReadModels;
+import arcomat.source.SourceFile;
+
 import java.util.List;
 import java.util.Random;
 
@@ -62,6 +68,14 @@ final class RandomTraps {
         this.wide = wide;
         this.events = seed % 4 == 0;
         this.lively = seed % 3 > 0;
+    }
+
+    /** The automaton, to be analyzed. */
+    static Subject subject(long seed, boolean wide) {
+        SourceFile source = new SourceFile("Random.arc", new RandomTraps(seed, wide).text());
+        Component component = ReadModels.model(source).components().get(0);
+        Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
+        return Subject.of(component, automaton, List.of());
     }
 
     String text() {

@@ -11,10 +11,6 @@ import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.search.Budget;
-import arcomat.model.Automaton;
-import arcomat.model.Component;
-import arcomat.models.ReadModels;
-import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.Test;
 
@@ -43,15 +39,14 @@ class TrapSearchTest {
         int free = 0;
         int late = 0;
         for (long each = seed; each < seed + automata; each++) {
-            String text = new RandomTraps(each, false).text();
-            Subject subject = subject(text);
+            Subject subject = RandomTraps.subject(each, false);
             Optional<Integer> exact = NaiveTraps.lettersIntoATrap(subject);
             Traps found = TrapSearch.of(unexplored(subject), Budget.ofMemory());
             Optional<Integer> shortest =
                     found.entered().stream()
                             .map(entry -> entry.visit().length())
                             .min(Integer::compare);
-            String about = "seed " + each + " of\n" + text;
+            String about = "seed " + each + " of\n" + new RandomTraps(each, false).text();
             if (found.obstacle().isEmpty()) {
                 assertThat(shortest).as(about).isEqualTo(exact);
                 decided++;
@@ -65,13 +60,6 @@ class TrapSearchTest {
         assertThat(decided).as("decided").isGreaterThanOrEqualTo(automata * 95 / 100);
         assertThat(free).as("without a trap").isGreaterThan(automata / 10);
         assertThat(late).as("with a trap behind some letters").isGreaterThan(automata / 10);
-    }
-
-    private static Subject subject(String text) {
-        Component component =
-                ReadModels.model(new SourceFile("Random.arc", text)).components().get(0);
-        Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
-        return Subject.of(component, automaton, List.of());
     }
 
     /** As if there were no end of configurations, and every question but this one left aside. */

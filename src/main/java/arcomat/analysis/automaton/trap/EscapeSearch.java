@@ -20,7 +20,6 @@ import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -98,7 +97,7 @@ final class EscapeSearch<T> {
                 new Visit(
                         -1,
                         spot.configuration(),
-                        positions(spot.latched()),
+                        Set.of(),
                         null,
                         null,
                         new Output(List.of()),
@@ -113,15 +112,9 @@ final class EscapeSearch<T> {
             }
             Reaction reaction = taken.get().reaction().orElseThrow();
             steps.add(step(taken.get().taken().index(), letter));
-            visit = visit.then(reaction, stepper.latched(visit, letter), letter);
+            visit = visit.then(reaction, Set.of(), letter);
         }
         return ended(steps, visit, run.last(), spot, goals);
-    }
-
-    private Set<Integer> positions(Set<Port> ports) {
-        Set<Integer> positions = new HashSet<>();
-        ports.forEach(port -> positions.add(subject.component().inputs().indexOf(port)));
-        return positions;
     }
 
     private Optional<Alternative> taken(Visit visit, Value[] letter, Place place) {
