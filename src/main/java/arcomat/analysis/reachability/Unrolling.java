@@ -77,8 +77,7 @@ public final class Unrolling<T> {
 
     /** What was read before a run that begins anywhere; of that, latched messages matter only. */
     private Instant<T> beforehand(Instant<T> first) {
-        SymbolicTransitions<T> before =
-                new SymbolicTransitions<>(subject, logic, logic.instant());
+        SymbolicTransitions<T> before = new SymbolicTransitions<>(subject, logic, logic.instant());
         logic.claim(before.instant().isWellTyped());
         logic.claim(before.keepsLatched(first));
         return before.instant();

@@ -15,7 +15,6 @@ import arcomat.analysis.search.Budget;
 import org.junit.jupiter.api.Test;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
