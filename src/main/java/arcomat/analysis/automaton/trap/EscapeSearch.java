@@ -5,7 +5,7 @@ import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.automaton.exploration.Stepper;
 import arcomat.analysis.automaton.exploration.SureSending;
 import arcomat.analysis.automaton.exploration.Visit;
-import arcomat.analysis.automaton.trap.Plan.Step;
+import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability.Place;
 import arcomat.analysis.reachability.Reachability.Run;
@@ -54,16 +54,16 @@ final class EscapeSearch<T> {
     }
 
     /** A plan of few steps from there; nothing where there is none, or none is found. */
-    Optional<Plan> near(Spot spot, Goals goals) {
+    Optional<EscapePlan> near(Spot spot, Goals goals) {
         return from(spot, 0, NEAR, goals);
     }
 
     /** A plan of more steps. */
-    Optional<Plan> far(Spot spot, Goals goals) {
+    Optional<EscapePlan> far(Spot spot, Goals goals) {
         return from(spot, NEAR + 1, RunsFromSpot.LONGEST, goals);
     }
 
-    private Optional<Plan> from(Spot spot, int least, int most, Goals goals) {
+    private Optional<EscapePlan> from(Spot spot, int least, int most, Goals goals) {
         Optional<Expression> measured =
                 goals.measure().map(each -> spot.value(each.value(), subject));
         return runs.shortest(
@@ -92,7 +92,7 @@ final class EscapeSearch<T> {
         return logic.or(any);
     }
 
-    private Optional<Plan> plan(Spot spot, Run run, Goals goals) {
+    private Optional<EscapePlan> plan(Spot spot, Run run, Goals goals) {
         Visit visit =
                 new Visit(
                         -1,
@@ -144,9 +144,9 @@ final class EscapeSearch<T> {
     }
 
     /** What the last letter does, or that it is not needed any more. */
-    private Optional<Plan> ended(
+    private Optional<EscapePlan> ended(
             List<Step> steps, Visit end, Value[] last, Spot spot, Goals goals) {
-        List<Plan> plans = new ArrayList<>();
+        List<EscapePlan> plans = new ArrayList<>();
         Situation situation = situation(end, last);
         situation.faults().forEach(each -> plans.add(escape(steps, each.taken(), last)));
         situation.alternatives().stream()
@@ -154,22 +154,24 @@ final class EscapeSearch<T> {
                 .forEach(each -> plans.add(escape(steps, Optional.of(each.taken()), last)));
         if (!steps.isEmpty()) {
             boolean settles = goals.settled().contains(end.configuration().state());
-            plans.add(new Plan(steps, settles ? Plan.Goal.SETTLES : Plan.Goal.PROGRESSES));
+            plans.add(
+                    new EscapePlan(
+                            steps, settles ? EscapePlan.Goal.SETTLES : EscapePlan.Goal.PROGRESSES));
         }
         return plans.stream().filter(each -> isPossible(each, spot, goals)).findFirst();
     }
 
-    private Plan escape(List<Step> steps, Optional<Trace.Taken> taken, Value[] last) {
+    private EscapePlan escape(List<Step> steps, Optional<Trace.Taken> taken, Value[] last) {
         List<Step> all = new ArrayList<>(steps);
         all.add(step(taken.orElseThrow().index(), last));
-        return new Plan(all, Plan.Goal.ESCAPES);
+        return new EscapePlan(all, EscapePlan.Goal.ESCAPES);
     }
 
     private boolean escapes(Alternative each) {
         return each.fault().isPresent() || SureSending.sends(subject, each.taken().transition());
     }
 
-    private boolean isPossible(Plan plan, Spot spot, Goals goals) {
+    private boolean isPossible(EscapePlan plan, Spot spot, Goals goals) {
         return goals.condition(plan, conditions)
                 .filter(condition -> spot.satisfies(condition, subject))
                 .isPresent();

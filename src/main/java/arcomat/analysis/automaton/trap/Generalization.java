@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton.trap;
 
-import arcomat.analysis.automaton.trap.Plan.Step;
+import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
@@ -39,8 +39,8 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
     }
 
     /** The plan itself first. */
-    List<Plan> of(Plan plan) {
-        Set<Plan> all = new LinkedHashSet<>();
+    List<EscapePlan> of(EscapePlan plan) {
+        Set<EscapePlan> all = new LinkedHashSet<>();
         all.add(plan);
         for (Choice choice : Choice.values()) {
             all.add(everywhere(choice, plan));
@@ -55,7 +55,7 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
         return all.stream().limit(MOST).toList();
     }
 
-    private Plan everywhere(Choice choice, Plan plan) {
+    private EscapePlan everywhere(Choice choice, EscapePlan plan) {
         List<Step> steps = new ArrayList<>();
         for (Step step : plan.steps()) {
             List<Optional<Expression>> letter = new ArrayList<>();
@@ -68,7 +68,7 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
             }
             steps.add(new Step(step.move(), letter));
         }
-        return new Plan(steps, plan.goal());
+        return new EscapePlan(steps, plan.goal());
     }
 
     private Optional<Expression> chosen(Choice choice, Step step, int port) {
@@ -96,12 +96,12 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
         return others;
     }
 
-    private static Plan with(Expression message, int step, int port, Plan plan) {
+    private static EscapePlan with(Expression message, int step, int port, EscapePlan plan) {
         List<Step> steps = new ArrayList<>(plan.steps());
         List<Optional<Expression>> letter = new ArrayList<>(steps.get(step).letter());
         letter.set(port, Optional.of(message));
         steps.set(step, new Step(steps.get(step).move(), letter));
-        return new Plan(steps, plan.goal());
+        return new EscapePlan(steps, plan.goal());
     }
 
     /** Over the variables: what is read besides is what the plan has. */

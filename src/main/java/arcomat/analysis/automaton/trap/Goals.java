@@ -21,7 +21,10 @@ import java.util.TreeSet;
  * @param traps from there nothing is sent
  */
 record Goals(
-        Set<Integer> settled, Optional<Measure> measure, Set<Integer> closer, List<Region> traps) {
+        Set<Integer> settled,
+        Optional<RankingFunction> measure,
+        Set<Integer> closer,
+        List<Region> traps) {
     Goals {
         settled = new TreeSet<>(settled);
         closer = new TreeSet<>(closer);
@@ -36,7 +39,7 @@ record Goals(
     }
 
     /** What has to be so before a plan that leads to one of them; empty where none is known. */
-    Optional<Expression> condition(Plan plan, PlanConditions conditions) {
+    Optional<Expression> condition(EscapePlan plan, PlanConditions conditions) {
         int state = plan.target();
         return switch (plan.goal()) {
             case ESCAPES -> conditions.of(plan, Formulas.TRUE);
@@ -49,7 +52,8 @@ record Goals(
         };
     }
 
-    private Optional<Expression> closer(Measure each, Plan plan, PlanConditions conditions) {
+    private Optional<Expression> closer(
+            RankingFunction each, EscapePlan plan, PlanConditions conditions) {
         return conditions
                 .before(plan, each.value())
                 .flatMap(

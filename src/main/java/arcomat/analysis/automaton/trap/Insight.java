@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
 /** What has been found out about one automaton so far, by whichever solver. */
 final class Insight {
     private final Subject subject;
-    private final Map<Integer, Map<String, Plan>> plans = new TreeMap<>();
+    private final Map<Integer, Map<String, EscapePlan>> plans = new TreeMap<>();
 
     /** What holds in each state that may be reached. */
     final Map<Integer, List<Expression>> facts = new TreeMap<>();
@@ -46,12 +46,12 @@ final class Insight {
     }
 
     /** Those that begin in a state. */
-    Collection<Plan> plans(int state) {
+    Collection<EscapePlan> plans(int state) {
         return plans.getOrDefault(state, Map.of()).values();
     }
 
     /** One of several that are possible under the same condition is enough. */
-    void plan(Plan plan, Expression condition) {
+    void plan(EscapePlan plan, Expression condition) {
         String kind = plan.goal() + " " + silent(plan) + ExpressionText.of(condition);
         plans.computeIfAbsent(plan.source(), each -> new LinkedHashMap<>()).putIfAbsent(kind, plan);
     }
@@ -75,7 +75,7 @@ final class Insight {
     }
 
     /** The latched ports that have no message in some step of a plan. */
-    Set<Port> silent(Plan plan) {
+    Set<Port> silent(EscapePlan plan) {
         List<Port> inputs = subject.component().inputs();
         return subject.latchable().stream()
                 .filter(

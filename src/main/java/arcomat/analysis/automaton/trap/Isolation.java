@@ -45,8 +45,9 @@ record Isolation(Port port) {
         if (!reads(side) || reads(other)) {
             return Optional.empty();
         }
-        if (side instanceof Expression.PortRead) {
-            return Optional.of(other);
+        if (side.operands().isEmpty()) {
+            return Optional.of(
+                    other); // what reads the port, and is made of nothing, is the message
         }
         if (!Interval.isInteger(side.type())) {
             return Optional.empty();

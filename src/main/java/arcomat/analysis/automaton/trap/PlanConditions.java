@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton.trap;
 
-import arcomat.analysis.automaton.trap.Plan.Step;
+import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.analysis.reachability.Hazard;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
@@ -37,13 +37,13 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
      *
      * @param atEnd what has to be so after the last step; of no use to a plan that escapes
      */
-    Optional<Expression> of(Plan plan, Expression atEnd) {
+    Optional<Expression> of(EscapePlan plan, Expression atEnd) {
         Optional<Expression> condition = Optional.of(atEnd);
         for (int i = plan.steps().size() - 1; i >= 0; i--) {
             Step step = plan.steps().get(i);
             boolean last = i == plan.steps().size() - 1;
             condition =
-                    last && plan.goal() == Plan.Goal.ESCAPES
+                    last && plan.goal() == EscapePlan.Goal.ESCAPES
                             ? Optional.of(possible(step, step.move().escapes()))
                             : condition
                                     .flatMap(each -> before(step, each))
@@ -58,7 +58,7 @@ record PlanConditions(List<Port> inputs, List<Variable> variables) {
     }
 
     /** What an expression over the variables after a plan is, over those before it. */
-    Optional<Expression> before(Plan plan, Expression after) {
+    Optional<Expression> before(EscapePlan plan, Expression after) {
         Optional<Expression> before = Optional.of(after);
         for (int i = plan.steps().size() - 1; i >= 0; i--) {
             Step step = plan.steps().get(i);

@@ -34,7 +34,7 @@ final class Settling<T> {
     private final Subject subject;
     private final List<Move> moves;
     private final Insight insight;
-    private final Candidates candidates;
+    private final CandidateConditions candidates;
     private final PlanConditions conditions;
     private final Generalization generalization;
     private final StateQuestion<T> question;
@@ -51,7 +51,7 @@ final class Settling<T> {
         this.subject = subject;
         this.moves = moves;
         this.insight = insight;
-        this.candidates = new Candidates(subject, moves);
+        this.candidates = new CandidateConditions(subject, moves);
         this.conditions = PlanConditions.of(subject);
         this.generalization =
                 new Generalization(subject.component().inputs(), subject.automaton().variables());
@@ -93,7 +93,7 @@ final class Settling<T> {
 
     /** Some states together: each leads out of them, or closer to that. */
     private boolean settleByMeasure() {
-        for (Measure measure : new Measures(subject, moves).of(insight.open())) {
+        for (RankingFunction measure : new RankingFunctions(subject, moves).of(insight.open())) {
             Set<Integer> states = settledBy(measure);
             if (!states.isEmpty()) {
                 insight.settled.addAll(states);
@@ -103,7 +103,7 @@ final class Settling<T> {
         return false;
     }
 
-    private Set<Integer> settledBy(Measure measure) {
+    private Set<Integer> settledBy(RankingFunction measure) {
         Set<Integer> states = new TreeSet<>(insight.open());
         boolean changed = true;
         while (changed && !states.isEmpty()) {
@@ -116,7 +116,7 @@ final class Settling<T> {
     }
 
     /** Whether there is a plan wherever a run is in a state, but for the traps. */
-    private boolean isSettled(int state, Optional<Measure> measure, Set<Integer> closer) {
+    private boolean isSettled(int state, Optional<RankingFunction> measure, Set<Integer> closer) {
         Set<Spot> seen = new LinkedHashSet<>();
         while (seen.size() < MOST_EXAMPLES) {
             Goals goals = new Goals(insight.settled, measure, closer, insight.traps);
@@ -147,7 +147,7 @@ final class Settling<T> {
 
     private List<StateQuestion.Possibility> possibilities(int state, Goals goals) {
         List<StateQuestion.Possibility> all = new ArrayList<>();
-        for (Plan plan : insight.plans(state)) {
+        for (EscapePlan plan : insight.plans(state)) {
             goals.condition(plan, conditions)
                     .map(each -> new StateQuestion.Possibility(each, insight.silent(plan)))
                     .ifPresent(all::add);
@@ -162,8 +162,8 @@ final class Settling<T> {
                 || learns(escapes.far(spot, goals), spot, goals);
     }
 
-    private boolean learns(Optional<Plan> plan, Spot spot, Goals goals) {
-        for (Plan each : plan.map(generalization::of).orElse(List.of())) {
+    private boolean learns(Optional<EscapePlan> plan, Spot spot, Goals goals) {
+        for (EscapePlan each : plan.map(generalization::of).orElse(List.of())) {
             goals.condition(each, conditions)
                     .filter(condition -> spot.satisfies(condition, subject))
                     .ifPresent(condition -> insight.plan(each, condition));

@@ -205,7 +205,7 @@ final class TrapEntries {
                         .from(
                                 List.of(visit.configuration()),
                                 latched,
-                                new Candidates(subject, moves).all())
+                                new CandidateConditions(subject, moves).all())
                         .keySet();
         RunsFromSpot<T> runs = new RunsFromSpot<>(subject, kind, stop);
         Spot spot = new Spot(visit.configuration(), latched);

@@ -11,7 +11,7 @@ import arcomat.model.Expression.BinaryOperator;
  * @param value over the variables, a number
  * @param rises whether it gets closer to the end when it rises; else when it falls
  */
-record Measure(Expression value, boolean rises) {
+record RankingFunction(Expression value, boolean rises) {
     /** Whether a later value is closer to the end. */
     Expression isCloser(Expression later, Expression earlier) {
         return Hazard.compare(rises ? BinaryOperator.GREATER : BinaryOperator.LESS, later, earlier);

@@ -13,10 +13,10 @@ import java.util.Set;
  * What may come closer to an end in some states: each variable that changes there, and differences
  * that guards look at.
  */
-record Measures(Subject subject, List<Move> moves) {
+record RankingFunctions(Subject subject, List<Move> moves) {
     private static final int MOST = 8;
 
-    List<Measure> of(Set<Integer> states) {
+    List<RankingFunction> of(Set<Integer> states) {
         Set<Expression> numbers = new LinkedHashSet<>();
         for (Variable each : subject.automaton().variables()) {
             if (each.type().isNumber() && changes(each, states)) {
@@ -28,13 +28,13 @@ record Measures(Subject subject, List<Move> moves) {
                 differences(move.goesOn(), numbers);
             }
         }
-        List<Measure> measures = new ArrayList<>();
+        List<RankingFunction> measures = new ArrayList<>();
         numbers.stream()
                 .limit(MOST)
                 .forEach(
                         each -> {
-                            measures.add(new Measure(each, true));
-                            measures.add(new Measure(each, false));
+                            measures.add(new RankingFunction(each, true));
+                            measures.add(new RankingFunction(each, false));
                         });
         return measures;
     }

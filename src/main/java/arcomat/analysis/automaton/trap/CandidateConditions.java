@@ -25,7 +25,7 @@ import java.util.TreeSet;
  * Conditions over the variables of which some may always be so in a state: what guards ask, and
  * comparisons with numbers that are mentioned somewhere.
  */
-final class Candidates {
+final class CandidateConditions {
     private static final int MOST_ATOMS = 40;
     private static final int MOST_NUMBERS = 10;
     private static final int MOST_PAIRED = 5;
@@ -33,7 +33,7 @@ final class Candidates {
     private final Subject subject;
     private final List<Move> moves;
 
-    Candidates(Subject subject, List<Move> moves) {
+    CandidateConditions(Subject subject, List<Move> moves) {
         this.subject = subject;
         this.moves = moves;
     }
@@ -113,22 +113,22 @@ final class Candidates {
         }
     }
 
-    /** Not taken apart further than to what has no connective. */
+    /** Not taken apart further than to what is not made of truth values. */
     private static void collect(Expression e, Set<Expression> atoms) {
-        boolean isTruth = e.type() instanceof Type.BooleanType;
-        boolean isConnective =
-                e instanceof Expression.Unary
-                        || e instanceof Expression.Conditional
-                        || e instanceof Expression.Binary binary
-                                && switch (binary.operator()) {
-                                    case AND, OR, IMPLIES, EQUIVALENT -> true;
-                                    default -> false;
-                                };
-        if (isTruth && !isConnective && isAboutVariables(e)) {
+        if (isTruth(e) && !isConnective(e) && isAboutVariables(e)) {
             atoms.add(e);
         } else {
             e.operands().forEach(each -> collect(each, atoms));
         }
+    }
+
+    private static boolean isConnective(Expression e) {
+        return !e.operands().isEmpty()
+                && e.operands().stream().allMatch(CandidateConditions::isTruth);
+    }
+
+    private static boolean isTruth(Expression e) {
+        return e.type() instanceof Type.BooleanType;
     }
 
     private static boolean isAboutVariables(Expression e) {

@@ -11,8 +11,8 @@ import java.util.Optional;
  * @param steps at least one
  * @param goal what the last one does
  */
-record Plan(List<Step> steps, Goal goal) {
-    Plan {
+record EscapePlan(List<Step> steps, Goal goal) {
+    EscapePlan {
         steps = List.copyOf(steps);
     }
 
