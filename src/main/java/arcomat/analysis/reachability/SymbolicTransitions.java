@@ -73,7 +73,7 @@ public final class SymbolicTransitions<T> implements RunProperty.Cases<T> {
     }
 
     /** Latched ports do not lose their message until then. */
-    public T keepsLatched(Instant<T> next) {
+    T keepsLatched(Instant<T> next) {
         List<T> kept = new ArrayList<>();
         for (Port port : subject.latchable()) {
             kept.add(or(not(at.has(port)), next.has(port)));
