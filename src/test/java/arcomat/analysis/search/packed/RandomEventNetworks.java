@@ -32,6 +32,7 @@ final class RandomEventNetworks {
     private final boolean latched;
     private final Map<String, String> files = new LinkedHashMap<>();
     private final List<List<String>> inputs = new ArrayList<>();
+    private final Model model;
 
     RandomEventNetworks(long seed) {
         random = new Random(seed);
@@ -46,10 +47,11 @@ final class RandomEventNetworks {
         right("Any", List.of("s {i == ?};"), "output");
         right("Some", some(), one(List.of("output", "output", "ignore", "chaos")));
         right("Strict", some(), one(List.of("ignore", "error")));
+        model = model();
     }
 
     Promise promise(String name) {
-        return Promise.of(model().component("load." + name).orElseThrow(), List.of());
+        return Promise.of(model.component("load." + name).orElseThrow(), List.of());
     }
 
     private Model model() {
