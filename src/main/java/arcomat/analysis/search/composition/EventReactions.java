@@ -1,7 +1,6 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.step.CubeSplit;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
@@ -19,8 +18,6 @@ import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 

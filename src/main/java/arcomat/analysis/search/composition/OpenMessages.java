@@ -52,9 +52,7 @@ public final class OpenMessages {
             return List.of(sent);
         }
         boolean all = sent instanceof Sent.AnyMessage;
-        if (!all
-                && (wiring.isObserved(signal)
-                        || !readers.stream().allMatch(wiring::isLatched))) {
+        if (!all && (wiring.isObserved(signal) || !readers.stream().allMatch(wiring::isLatched))) {
             leaveOut.accept(
                     "%s leaves open what it sends on '%s', %s; %s"
                             .formatted(

@@ -25,7 +25,8 @@ final class RunToCompletion {
      * Waits in the queue of a part.
      *
      * @param port of the part
-     * @param origin position of the external input that it came in by; {@link EventWiring#INSIDE} for others
+     * @param origin position of the external input that it came in by; {@link EventWiring#INSIDE}
+     *     for others
      */
     record Event(int port, Value message, int origin) {}
 

@@ -7,12 +7,8 @@ import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.composition.OpenMessages;
 import arcomat.analysis.search.composition.Wiring;
 import arcomat.analysis.search.letter.LatchedPorts;
-import arcomat.analysis.search.letter.Representatives;
 import arcomat.analysis.search.packed.EventPart.Delivery;
-import arcomat.analysis.search.packed.EventPart.Event;
 import arcomat.analysis.search.packed.EventPart.Row;
-import arcomat.model.Component.Profile;
-import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
@@ -23,7 +19,6 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
-import arcomat.semantics.value.TooManyMessages;
 
 import com.carrotsearch.hppc.IntArrayList;
 
@@ -33,7 +28,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /**
  * An event-driven network in numbers. Between two events all queues are empty: a configuration is
@@ -44,12 +38,10 @@ import java.util.stream.Stream;
  * something; what ended the run; and the mark.
  */
 public final class EventNetwork extends PackedNetwork {
-    /** What an input does. */
-    record Letter(Delivery event, int[] outside, int held) {}
-
     final List<EventPart> parts = new ArrayList<>();
     final ExternalLooks looks = new ExternalLooks();
-    final ShownSequences shown = new ShownSequences(this::refuseOpen);
+    final EventDeliveries deliveries;
+    final EventLetters letters;
     final int heldField;
     final int problemField;
 
@@ -61,17 +53,8 @@ public final class EventNetwork extends PackedNetwork {
     private final LatchedPorts driven;
     private final Budget budget;
     private final OpenMessages open;
-    private final List<Port> inputs;
     private final List<List<Integer>> alike;
-
-    /** By signal. */
-    private final List<Numbering<Sent>> messages = new ArrayList<>();
-
-    private final List<List<Delivery>> deliveries = new ArrayList<>();
     private final Numbering<String> problems = new Numbering<>();
-    private final Numbering<List<@Nullable Value>> letterNumbers = new Numbering<>();
-    private final List<Letter> letters = new ArrayList<>();
-    private final List<int[]> lettersOfLooks = new ArrayList<>();
 
     /**
      * @param behaviours one per instance
@@ -95,20 +78,13 @@ public final class EventNetwork extends PackedNetwork {
         this.driven = driven;
         wiring = new EventWiring(network, compared);
         open = new OpenMessages(network, wiring, budget, EventNetwork::refuse);
-        inputs = network.inputs().stream().map(Network.External::port).toList();
         alike = alike(network);
-        for (int signal = 0; signal < network.signals(); signal++) {
-            messages.add(new Numbering<>());
-            deliveries.add(new ArrayList<>());
-        }
+        deliveries = new EventDeliveries(network, wiring, open, parts);
         for (int part = 0; part < behaviours.size(); part++) {
-            List<Integer> signals = network.instances().get(part).inputSignals();
-            List<Numbering<Sent>> read =
-                    signals.stream()
-                            .map(s -> s < 0 ? new Numbering<Sent>() : messages.get(s))
-                            .toList();
+            List<Numbering<Sent>> read = deliveries.read(part);
             parts.add(new EventPart(behaviours.get(part), part, wiring, read, this::compute));
         }
+        letters = new EventLetters(network, wiring, deliveries, parts, driven, this::compute);
         heldField = 2 * parts.size();
         problemField = heldField + 1;
         parts.get(0).number(ENDED);
@@ -121,21 +97,6 @@ public final class EventNetwork extends PackedNetwork {
 
     private void compute() {
         compute(budget::insist);
-    }
-
-    /** Messages that are left open cannot stand beside others. */
-    private void refuseOpen(int sequence) {
-        shown(sequence, shown.lastSignal(sequence));
-    }
-
-    /** What is shown on a signal, as one. */
-    Sent shown(int sequence, int signal) {
-        Network.External output =
-                network.outputs().stream()
-                        .filter(each -> each.signal() == signal)
-                        .findFirst()
-                        .orElseThrow();
-        return open.joined(output, shown.on(signal, sequence));
     }
 
     @Override
@@ -167,8 +128,7 @@ public final class EventNetwork extends PackedNetwork {
             for (int other : alike.get(part)) {
                 EventPart each = parts.get(other);
                 widths[2 * part] = Math.max(widths[2 * part], bits(each.size()));
-                widths[2 * part + 1] =
-                        Math.max(widths[2 * part + 1], bits(each.registers.size()));
+                widths[2 * part + 1] = Math.max(widths[2 * part + 1], bits(each.registers.size()));
             }
         }
         widths[heldField] = driven.positions().size();
@@ -213,7 +173,7 @@ public final class EventNetwork extends PackedNetwork {
                 held[i] =
                         sent.equals(Sent.SILENCE)
                                 ? HeldMessages.NONE
-                                : message(signal(number, part.registerPorts[i]), sent);
+                                : deliveries.message(number, part.registerPorts[i], sent);
             }
             put(layout, into, 2 * number + 1, part.registers.number(held));
         }
@@ -246,14 +206,6 @@ public final class EventNetwork extends PackedNetwork {
         return layout.get(from, 0) == 0;
     }
 
-    private int signal(int part, int port) {
-        return network.instances().get(part).inputSignals().get(port);
-    }
-
-    private int message(int signal, Sent sent) {
-        return messages.get(signal).number(sent);
-    }
-
     /** The number of what ends a run. */
     int problem(String text) {
         int before = problems.size();
@@ -271,95 +223,12 @@ public final class EventNetwork extends PackedNetwork {
 
     @Override
     public int[] letter(Value[] letter) {
-        return new int[] {letterNumber(letter)};
-    }
-
-    Letter letter(int number) {
-        return letters.get(number);
+        return new int[] {letters.number(letter)};
     }
 
     /** The letters that are told apart where inputs are looked at like this. */
     int[] letters(int look) {
-        while (lettersOfLooks.size() <= look) {
-            lettersOfLooks.add(new int[0]);
-        }
-        int[] known = lettersOfLooks.get(look);
-        if (known.length == 0) {
-            compute();
-            known = letters(looks.get(look)).mapToInt(this::letterNumber).toArray();
-            lettersOfLooks.set(look, known);
-        }
-        return known;
-    }
-
-    private Stream<Value[]> letters(List<PortAbstraction> looks) {
-        try {
-            return Representatives.NONE.letters(Profile.EVENT_DRIVEN, inputs, looks).stream();
-        } catch (TooManyMessages tooMany) {
-            throw new CannotPack("there are too many inputs");
-        }
-    }
-
-    private int letterNumber(Value[] messages) {
-        int number = letterNumbers.number(Arrays.asList(messages.clone()));
-        if (number == letters.size()) {
-            letters.add(letterOf(messages));
-        }
-        return number;
-    }
-
-    private Letter letterOf(Value[] messages) {
-        int[] outside = new int[parts.size()];
-        for (int number = 0; number < outside.length; number++) {
-            EventPart part = parts.get(number);
-            int[] held = new int[part.outsidePorts.length];
-            for (int i = 0; i < held.length; i++) {
-                int port = part.outsidePorts[i];
-                Value message = messages[wiring.held(number, port)];
-                held[i] =
-                        message == null
-                                ? HeldMessages.NONE
-                                : message(signal(number, port), Sent.of(message));
-            }
-            outside[number] = part.outside.number(held);
-        }
-        for (int input = 0; input < messages.length; input++) {
-            if (messages[input] != null && !inputs.get(input).latched()) {
-                int signal = network.inputs().get(input).signal();
-                Delivery event = delivery(signal, Sent.of(messages[input]));
-                return new Letter(event, outside, (int) driven.held(messages));
-            }
-        }
-        throw new CannotPack("an event is none for any input");
-    }
-
-    /** What becomes of a message on a signal, the same each time. */
-    private Delivery delivery(int signal, Sent sent) {
-        int message = message(signal, sent);
-        List<Delivery> known = deliveries.get(signal);
-        while (known.size() <= message) {
-            known.add(delivery(signal, known.size()));
-        }
-        return known.get(message);
-    }
-
-    private Delivery delivery(int signal, int message) {
-        Sent sent = messages.get(signal).get(message);
-        int thing = wiring.isObserved(signal) ? shown.thing(signal, sent) : -1;
-        IntArrayList latches = new IntArrayList();
-        IntArrayList events = new IntArrayList();
-        if (sent instanceof Sent.Messages) {
-            for (Wiring.Reader reader : wiring.readers(signal)) {
-                EventPart part = parts.get(reader.part());
-                if (wiring.isLatched(reader)) {
-                    latches.add(reader.part(), part.register(reader.port()), message);
-                } else {
-                    Event event = new Event(reader.port(), message);
-                    events.add(reader.part(), part.number(event));
-                }
-            }
-        }
-        return new Delivery(thing, latches.toArray(), events.toArray());
+        return letters.of(look, looks.get(look));
     }
 
     /** What a part may do when it takes an event. */
@@ -390,36 +259,21 @@ public final class EventNetwork extends PackedNetwork {
             }
             for (List<Sent> settled : open.settled(number, reaction.output().ports())) {
                 next.add(part.number(reaction.next()));
-                sent.add(deliveries(number, settled));
+                sent.add(deliveries.all(number, settled));
             }
         }
         int look = look(number, before, part.event(event).port());
         return new Row(look, ends, next.toArray(), sent.toArray(Delivery[][]::new));
     }
 
-    private Delivery[] deliveries(int part, List<Sent> sent) {
-        List<Integer> signals = network.instances().get(part).outputSignals();
-        List<Delivery> all = new ArrayList<>();
-        for (int i = 0; i < sent.size(); i++) {
-            int signal = signals.get(i);
-            if (sent.get(i) instanceof Sent.Messages several) {
-                several.values().forEach(each -> all.add(delivery(signal, Sent.of(each))));
-            } else {
-                all.add(delivery(signal, sent.get(i)));
-            }
-        }
-        all.removeIf(Delivery::isNothing);
-        return all.toArray(Delivery[]::new);
-    }
-
     /** Only messages from outside are looked at: those from inside are known. */
     private int look(int number, List<Configuration> configuration, int event) {
-        List<PortAbstraction> looks = new ArrayList<>(InputAbstraction.none(inputs.size()).looks());
-        List<PortAbstraction> own =
-                parts.get(number).behaviour.abstraction(configuration).looks();
+        List<PortAbstraction> looks =
+                new ArrayList<>(InputAbstraction.none(network.inputs().size()).looks());
+        List<PortAbstraction> own = parts.get(number).behaviour.abstraction(configuration).looks();
         boolean any = false;
         for (int port = 0; port < own.size(); port++) {
-            int origin = port == event ? external(signal(number, port)) : wiring.held(number, port);
+            int origin = port == event ? external(number, port) : wiring.held(number, port);
             if (origin != EventWiring.INSIDE) {
                 looks.set(origin, looks.get(origin).and(own.get(port)));
                 any = true;
@@ -428,8 +282,10 @@ public final class EventNetwork extends PackedNetwork {
         return any ? this.looks.number(looks) : -1;
     }
 
-    private int external(int signal) {
-        for (int input = 0; input < inputs.size(); input++) {
+    /** The input that a port is connected to. */
+    private int external(int part, int port) {
+        int signal = network.instances().get(part).inputSignals().get(port);
+        for (int input = 0; input < network.inputs().size(); input++) {
             if (network.inputs().get(input).signal() == signal) {
                 return input;
             }

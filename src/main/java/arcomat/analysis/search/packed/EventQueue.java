@@ -2,7 +2,6 @@ package arcomat.analysis.search.packed;
 
 import com.carrotsearch.hppc.IntArrayList;
 
-
 /** The events that wait for a part, by number: a ring that grows up to its capacity. */
 final class EventQueue {
     private static final int FEW = 4;

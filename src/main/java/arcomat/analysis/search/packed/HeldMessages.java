@@ -7,7 +7,9 @@ import com.carrotsearch.hppc.LongIntHashMap;
 
 import java.util.Arrays;
 
-/** What some latched ports of a part hold, all together as one number: 0 where they hold nothing. */
+/**
+ * What some latched ports of a part hold, all together as one number: 0 where they hold nothing.
+ */
 final class HeldMessages {
     /** In place of a message, where a port holds none. */
     static final int NONE = -1;

@@ -1,6 +1,6 @@
 package arcomat.analysis.search.packed;
 
-import arcomat.analysis.search.packed.EventNetwork.Letter;
+import arcomat.analysis.search.packed.EventLetters.Letter;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.semantics.expression.Sent;
 
@@ -12,6 +12,7 @@ import java.util.Arrays;
  * run once.
  */
 final class PackedEvents implements PackedSteps, PackedRun.Listener {
+    /** In place of what is shown. */
     private static final long ENDED = -1;
 
     private final EventNetwork network;
@@ -97,7 +98,7 @@ final class PackedEvents implements PackedSteps, PackedRun.Listener {
             return;
         }
         begins[letter] = size;
-        Letter event = network.letter(letter);
+        Letter event = network.letters.get(letter);
         drivenAfter = event.held();
         boolean goesOn = run.begin(where, held, event);
         while (goesOn) {
@@ -155,7 +156,7 @@ final class PackedEvents implements PackedSteps, PackedRun.Listener {
     @Override
     public void read(int[] letter) {
         int number = letter[0];
-        if ((drivenBefore & ~network.letter(number).held()) != 0) {
+        if ((drivenBefore & ~network.letters.get(number).held()) != 0) {
             position = 0;
             end = 0;
             return;
@@ -188,6 +189,6 @@ final class PackedEvents implements PackedSteps, PackedRun.Listener {
 
     @Override
     public Sent shown(long number, int signal) {
-        return network.shown((int) number, signal);
+        return network.deliveries.shown((int) number, signal);
     }
 }

@@ -1,6 +1,6 @@
 package arcomat.analysis.search.packed;
 
-import arcomat.analysis.search.packed.EventNetwork.Letter;
+import arcomat.analysis.search.packed.EventLetters.Letter;
 import arcomat.analysis.search.packed.EventPart.Delivery;
 import arcomat.analysis.search.packed.EventPart.Row;
 import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
@@ -183,7 +183,7 @@ final class PackedRun {
     /** Whether there is room for it. */
     private boolean deliver(Delivery message) {
         if (message.shown() >= 0) {
-            shown = network.shown.then(shown, message.shown());
+            shown = network.deliveries.shown.then(shown, message.shown());
         }
         int[] latches = message.latches();
         for (int i = 0; i < latches.length; i += 3) {

@@ -17,12 +17,13 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * Event-driven compositions of a few parts, {@code Whole}: short queues, fan-out, latched ports that
- * are fed from inside, by events and by latched inputs, several messages for an event, choices,
- * ranges that may be left, messages that are left open, now and then circles and several automata.
- * Beside them components of which little is asked: {@code Any}, {@code Some} and {@code Strict}.
+ * Event-driven compositions of a few parts, {@code Whole}: short queues, fan-out, latched ports
+ * that are fed from inside, by events and by latched inputs, several messages for an event,
+ * choices, ranges that may be left, messages that are left open, now and then circles and several
+ * automata. Beside them components of which little is asked: {@code Any}, {@code Some} and {@code
+ * Strict}.
  */
-final class RandomEventNetworks {
+public final class RandomEventNetworks {
     private static final String MESSAGE = "Integer[0..2]";
     private static final List<String> VALUES = List.of("0", "1", "2");
 
@@ -34,7 +35,7 @@ final class RandomEventNetworks {
     private final List<List<String>> inputs = new ArrayList<>();
     private final Model model;
 
-    RandomEventNetworks(long seed) {
+    public RandomEventNetworks(long seed) {
         random = new Random(seed);
         circles = chance(10);
         open = chance(25);
@@ -50,7 +51,7 @@ final class RandomEventNetworks {
         model = model();
     }
 
-    Promise promise(String name) {
+    public Promise promise(String name) {
         return Promise.of(model.component("load." + name).orElseThrow(), List.of());
     }
 
@@ -148,7 +149,8 @@ final class RandomEventNetworks {
 
     private String sent(String event) {
         String value = one(VALUES);
-        return one(List.of(value, event, event, "n", "[%s, %s]".formatted(value, event)));
+        String several = "[%s, %s]".formatted(value, event);
+        return one(List.of(value, event, event, "n", several));
     }
 
     private void whole(int count) {
