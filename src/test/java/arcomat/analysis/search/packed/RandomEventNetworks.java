@@ -97,16 +97,20 @@ public final class RandomEventNetworks {
             String first = chance(30) ? " = " + one(VALUES) : "";
             text.append("port <<state%s>> in %s h;\n".formatted(first, MESSAGE));
             own.add("h");
+            if (chance(40)) {
+                text.append("port <<state>> in %s g;\n".formatted(MESSAGE));
+                own.add("g");
+            }
         }
         inputs.add(own);
         int automata = chance(12) ? 2 : 1;
         for (int i = 0; i < automata; i++) {
-            text.append(automaton(i, events, own.contains("h")));
+            text.append(automaton(i, events, own.subList(events.size(), own.size())));
         }
         files.put(name, text + "}\n");
     }
 
-    private String automaton(int number, List<String> events, boolean held) {
+    private String automaton(int number, List<String> events, List<String> held) {
         String completion =
                 open
                         ? one(List.of("ignore", "ignore", "output", "chaos"))
@@ -123,10 +127,11 @@ public final class RandomEventNetworks {
         return text + "}\n";
     }
 
-    private String transition(String event, boolean held) {
+    private String transition(String event, List<String> held) {
         String guard = one(List.of("", "", " [%s > n]".formatted(event)));
-        if (held && chance(50)) {
-            guard = " [h == %s]".formatted(one(List.of("0", "1", "--", "n", event)));
+        if (!held.isEmpty() && chance(50)) {
+            String value = one(List.of("0", "1", "--", "n", event));
+            guard = " [%s == %s]".formatted(one(held), value);
         }
         String match = event + " == " + one(List.of("?", "?", "alt {0, 1}", "0", "1", "2"));
         List<String> effects = new ArrayList<>();
@@ -168,7 +173,7 @@ public final class RandomEventNetworks {
             sources.addAll(before);
             sources.addAll(before);
             for (String input : inputs.get(part)) {
-                String source = latched && input.equals("h") && chance(60) ? "k" : one(sources);
+                String source = latched && "hg".contains(input) && chance(60) ? "k" : one(sources);
                 text.append("connect %s -> p%d.%s;\n".formatted(source, part, input));
             }
         }
