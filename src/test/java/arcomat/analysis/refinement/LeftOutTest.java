@@ -62,6 +62,7 @@ class LeftOutTest {
         for (int i = 0; i < QUESTIONS / 2; i++) {
             RandomRows rows = RandomRows.withSides(SEED + i);
             compare(rows.whole("Whole"), rows.whole("Any"), rows.toString());
+            compare(rows.whole("Whole"), rows.whole("Several"), rows.toString());
             compare(rows.whole("Whole"), rows.whole("Some"), rows.toString());
         }
         assertTaken(Shortcut.CONE);
@@ -73,6 +74,7 @@ class LeftOutTest {
         for (int i = 0; i < QUESTIONS; i++) {
             RandomRows rows = RandomRows.equal(SEED + i);
             compare(rows.whole("Whole"), rows.whole("Any"), rows.toString());
+            compare(rows.whole("Whole"), rows.whole("Several"), rows.toString());
             compare(rows.whole("Whole"), rows.whole("Some"), rows.toString());
         }
         assertTaken(Shortcut.EQUAL_PARTS);

@@ -8,6 +8,7 @@ import arcomat.source.SourceFile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 
 /**
  * Rows and rings of parts, most of them of one kind: with variables, choices, ranges that may be
@@ -48,6 +49,7 @@ public final class RandomRows {
         equal(2 + random.nextInt(3));
         file("Any", promise(""));
         file("Some", promise("s [i == 1] / {};\n s [i == 0] / {};\n s [i == --] / {o = 0};"));
+        several();
     }
 
     private void equal(int count) {
@@ -120,6 +122,30 @@ public final class RandomRows {
         file(
                 "Some",
                 promise("s -> t [i == 1] / {o = 0};\n t [i == 0] / {o = 1};\n t [i == 1] / {};"));
+        several();
+    }
+
+    /** It may be in several states after the same messages, more and fewer of them. */
+    private void several() {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 4 + random.nextInt(8); i++) {
+            text.append(
+                    " s%d -> s%d%s / {%s};%n"
+                            .formatted(
+                                    random.nextInt(4),
+                                    random.nextInt(4),
+                                    any("", " [i == 1]", " [i == 0]", " [i == --]"),
+                                    any("", "o = ?", "o = ?", "o = 0", "o = --")));
+        }
+        boolean tolerant = random.nextBoolean();
+        for (int state = 0; state < 4 && tolerant; state++) {
+            String to = " s%d -> s%d".formatted(state, random.nextInt(4));
+            text.append(to).append(" / {o = ?};\n").append(to).append(" / {o = --};\n");
+        }
+        String completion = any("output", "output", "chaos", "ignore", "error");
+        file(
+                "Several",
+                promise(completion, "s0, s1, s2, s3", List.of("s0", "s1"), text.toString()));
     }
 
     public Promise whole(String name) {
@@ -139,19 +165,32 @@ public final class RandomRows {
     }
 
     private String promise(String transitions) {
+        return promise("output", "s, t", List.of("s"), transitions);
+    }
+
+    private String promise(
+            String completion, String states, List<String> initial, String transitions) {
+        String start = late ? " / {o = 0}" : "";
         return """
         component NAME {
           %s
           port in Integer[0..1] i, out Integer[0..%d] o;
-          <<completion = "output">> automaton {
-            state s, t;
-            initial s%s;
+          <<completion = "%s">> automaton {
+            state %s;
+            %s
             %s
           }
         }
         """
                 .formatted(
-                        late ? "" : "timing instant;", most, late ? " / {o = 0}" : "", transitions);
+                        late ? "" : "timing instant;",
+                        most,
+                        completion,
+                        states,
+                        initial.stream()
+                                .map(state -> "initial " + state + start + ";")
+                                .collect(Collectors.joining(" ")),
+                        transitions);
     }
 
     /** It reads its neighbours x and y, and what comes from outside, e. */

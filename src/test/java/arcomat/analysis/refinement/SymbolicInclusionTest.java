@@ -57,6 +57,16 @@ class SymbolicInclusionTest {
         assertDecides();
     }
 
+    /** Where the right side may be in several configurations at once. */
+    @Test
+    void decidesAmongSets() {
+        for (int i = 0; i < 2 * QUESTIONS; i++) {
+            RandomRows rows = i % 3 == 0 ? RandomRows.equal(SEED + i) : new RandomRows(SEED + i);
+            compare(rows.whole("Whole"), rows.whole("Several"), rows.toString());
+        }
+        assertDecides();
+    }
+
     private void assertDecides() {
         assertThat(count(Answer.HOLDS, Progress.PROVED)).isGreaterThan(QUESTIONS / 10);
         assertThat(count(Answer.FAILS, Progress.HOPELESS)).isGreaterThan(QUESTIONS / 10);

@@ -116,9 +116,6 @@ public final class ExternalPairs implements PairStore {
     }
 
     @Override
-    public void countBeyond(long most) {}
-
-    @Override
     public void add(long[] key, int parent, int set, int cost) {
         if (!layout.fits(network.markField(), set)) {
             throw new TooNarrow();

@@ -1,5 +1,8 @@
 package arcomat.analysis.search.packed;
 
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.MacroStates;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
@@ -24,7 +27,7 @@ public interface PairStore {
     long size();
 
     /** Nobody waits where there may be more than so many. */
-    void countBeyond(long most);
+    default void countBeyond(long most) {}
 
     /**
      * A configuration is reached, together with a set.
@@ -68,8 +71,18 @@ public interface PairStore {
      */
     int configurations(int sets);
 
+    /**
+     * The same pairs, where from now on the right side may be in several configurations at once. A
+     * pair may be left out there whose set has a smaller one beside it. May be told again.
+     *
+     * @param budget asked whether it may
+     */
+    default PairStore amongSets(MacroStates sets, Budget budget) {
+        return this;
+    }
+
     /** After the last step of a search. */
-    void close();
+    default void close() {}
 
     /** What was not known before has been computed to expand the pair. */
     default void learn() {}

@@ -8,11 +8,9 @@ import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 
 /**
  * The pairs of a configuration and a macro state that a search has met, level by level. A pair is
@@ -50,27 +48,12 @@ final class Antichain {
     /**
      * Ends a level.
      *
-     * @return its pairs, those that took fewer messages first; in most levels all took the same
+     * @return its pairs, those that took fewer messages first
      */
     int[] nextLevel() {
-        int[] level = IntStream.range(levelStart, lefts.size()).toArray();
+        int[] level = Frontier.byCost(costs, levelStart);
         levelStart = lefts.size();
-        return isEven(level)
-                ? level
-                : IntStream.of(level)
-                        .boxed()
-                        .sorted(Comparator.comparingInt(costs::get))
-                        .mapToInt(Integer::intValue)
-                        .toArray();
-    }
-
-    private boolean isEven(int[] level) {
-        for (int node : level) {
-            if (costs.get(node) != costs.get(level[0])) {
-                return false;
-            }
-        }
-        return true;
+        return level;
     }
 
     /**

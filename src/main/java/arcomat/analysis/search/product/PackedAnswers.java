@@ -2,7 +2,6 @@ package arcomat.analysis.search.product;
 
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.packed.PackedNetwork;
-import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
 import arcomat.analysis.search.packed.PackedSteps;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.Steps;
@@ -89,12 +88,19 @@ final class PackedAnswers {
     private LongIntHashMap sentByShown = new LongIntHashMap();
     private final List<LongObjectHashMap<Frame>> frames = new ArrayList<>();
     private final Map<Alphabet, int[][]> letters = new IdentityHashMap<>();
+    private final Runnable whenSeveral;
     private boolean chaosReached;
     private boolean promising;
     private int computed;
 
-    PackedAnswers(Product product, PackableSystem left, PackedNetwork network) {
+    /**
+     * @param whenSeveral called where the right side may be in several configurations at once,
+     *     before that is told
+     */
+    PackedAnswers(
+            Product product, PackableSystem left, PackedNetwork network, Runnable whenSeveral) {
         this.product = product;
+        this.whenSeveral = whenSeveral;
         this.left = left;
         this.network = network;
     }
@@ -213,11 +219,10 @@ final class PackedAnswers {
             chaosReached = true;
             return set;
         }
-        int[] members = product.sets.members(set);
-        if (members.length > 1) {
-            throw new CannotPack("the right side may be in several configurations");
+        if (product.sets.members(set).length > 1) {
+            whenSeveral.run();
         }
-        boolean chaos = product.right.isChaos(members[0]);
+        boolean chaos = product.isInChaos(set);
         chaosReached |= chaos;
         promising |= !start && !chaos;
         network.marks(set + 1);

@@ -24,8 +24,9 @@ import java.util.function.Consumer;
 
 /**
  * The search of {@link TraceInclusion} where the left side is a network whose configurations are
- * packed, and the right side is never in more than one configuration. It meets the same pairs in
- * the same order; of those that differ in the places of equal parts, one that stands for them.
+ * packed. It meets the same pairs in the same order, but that it leaves none out since a member of
+ * a set simulates a configuration; of pairs that differ in the places of equal parts it meets one
+ * that stands for them.
  */
 final class PackedInclusion {
     /**
@@ -48,7 +49,8 @@ final class PackedInclusion {
     private final Budget budget;
     private final SymbolicTurns symbolic;
     private final PackedAnswers answers;
-    private final PairStore pairs;
+    private PairStore pairs;
+    private boolean determined = true;
     private PackedLayout layout;
     private PackedSteps steps;
 
@@ -69,7 +71,7 @@ final class PackedInclusion {
         this.budget = budget;
         this.symbolic = symbolic;
         network = left.packed();
-        answers = new PackedAnswers(product, left, network);
+        answers = new PackedAnswers(product, left, network, this::amongSets);
         layout = network.layout();
         steps = network.steps(layout);
         canonical = network.canonical(layout);
@@ -104,6 +106,11 @@ final class PackedInclusion {
         }
     }
 
+    private void amongSets() {
+        determined = false;
+        pairs = pairs.amongSets(product.sets, budget);
+    }
+
     /** Empty where only the unpacked search can tell. */
     Optional<Found> run() {
         try {
@@ -126,6 +133,11 @@ final class PackedInclusion {
     /** In words, which parts are equal, so that their places did not matter. */
     List<String> equalParts() {
         return network.equalParts();
+    }
+
+    /** Whether every set that was met has one member. */
+    boolean isDetermined() {
+        return determined;
     }
 
     /** How many pairs have been met. */

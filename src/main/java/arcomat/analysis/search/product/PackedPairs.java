@@ -1,26 +1,16 @@
 package arcomat.analysis.search.product;
 
-import arcomat.analysis.search.packed.CheapestFailure;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.MacroStates;
 import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.analysis.search.packed.PackedTable;
 import arcomat.analysis.search.packed.PairStore;
 
-import com.carrotsearch.hppc.IntArrayList;
-
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
-
-/** Pairs in memory. */
-final class PackedPairs implements PairStore {
-    private final PackedNetwork network;
-    private PackedLayout layout;
+/** Pairs in memory, as long as no set has several members. */
+final class PackedPairs extends PairsInMemory {
     private PackedTable pairs;
-
-    /** Configurations after steps that end the search: they are in no pair. */
-    private PackedTable loose;
 
     /** Pairs that are added a little later: of many at once, the table finds the places sooner. */
     private long[] waitingKeys;
@@ -28,23 +18,10 @@ final class PackedPairs implements PairStore {
     private final int[] parentsOfWaiting = new int[PackedTable.MOST_TOUCHED];
     private final int[] costsOfWaiting = new int[PackedTable.MOST_TOUCHED];
     private int waiting;
-    private final IntArrayList parents = new IntArrayList();
-
-    /** Of the level that is expanded, and of the one that is found, from their first pair on. */
-    private IntArrayList costs = new IntArrayList();
-
-    private IntArrayList nextCosts = new IntArrayList();
-    private int levelStart;
-    private int nextStart;
-    private int[] level = new int[0];
-    private int position = -1;
-    private final CheapestFailure failure = new CheapestFailure();
 
     PackedPairs(PackedNetwork network, PackedLayout layout) {
-        this.network = network;
-        this.layout = layout;
+        super(network, layout);
         pairs = new PackedTable(layout.words());
-        loose = new PackedTable(layout.words());
         waitingKeys = new long[layout.words() * PackedTable.MOST_TOUCHED];
     }
 
@@ -52,9 +29,8 @@ final class PackedPairs implements PairStore {
     public void move(PackedLayout to) {
         addWaiting();
         pairs = pairs.moved(layout, to);
-        loose = loose.moved(layout, to);
         waitingKeys = new long[to.words() * PackedTable.MOST_TOUCHED];
-        layout = to;
+        super.move(to);
     }
 
     @Override
@@ -70,18 +46,8 @@ final class PackedPairs implements PairStore {
     }
 
     @Override
-    public void get(long[] into) {
-        pairs.get(level[position], into);
-    }
-
-    @Override
-    public int node() {
-        return level[position];
-    }
-
-    @Override
-    public int cost() {
-        return costs.get(level[position] - levelStart);
+    void get(int pair, long[] into) {
+        pairs.get(pair, into);
     }
 
     @Override
@@ -98,21 +64,6 @@ final class PackedPairs implements PairStore {
         costsOfWaiting[waiting++] = cost;
     }
 
-    @Override
-    public void addLoose(long[] key) {
-        loose.add(key);
-    }
-
-    @Override
-    public void fail(int parent, int cost) {
-        failure.add(parent, cost);
-    }
-
-    @Override
-    public CheapestFailure failure() {
-        return failure;
-    }
-
     private void addWaiting() {
         pairs.touch(waitingKeys, waiting);
         for (int i = 0; i < waiting; i++) {
@@ -126,9 +77,8 @@ final class PackedPairs implements PairStore {
         int number = pairs.add(waitingKeys, which * layout.words());
         if (number < 0) {
             parents.add(parentsOfWaiting[which]);
-            nextCosts.add(cost);
-        } else if (number >= nextStart && cost < nextCosts.get(number - nextStart)) {
-            nextCosts.set(number - nextStart, cost);
+            frontier.add(cost);
+        } else if (frontier.cheapens(number, cost)) {
             parents.set(number, parentsOfWaiting[which]);
         }
     }
@@ -136,53 +86,13 @@ final class PackedPairs implements PairStore {
     @Override
     public boolean nextLevel() {
         addWaiting();
-        costs = nextCosts;
-        nextCosts = new IntArrayList();
-        levelStart = nextStart;
-        nextStart = pairs.size();
-        level = sorted();
-        position = -1;
-        return level.length > 0;
+        return super.nextLevel();
     }
 
     @Override
-    public boolean next() {
-        return ++position < level.length;
-    }
-
-    /** By counting; those that cost the same keep their order. */
-    private int[] sorted() {
-        int count = costs.size();
-        int least = Integer.MAX_VALUE;
-        int most = Integer.MIN_VALUE;
-        for (int i = 0; i < count; i++) {
-            least = Math.min(least, costs.get(i));
-            most = Math.max(most, costs.get(i));
-        }
-        int[] starts = new int[count == 0 ? 1 : most - least + 2];
-        for (int i = 0; i < count; i++) {
-            starts[costs.get(i) - least + 1]++;
-        }
-        for (int i = 1; i < starts.length; i++) {
-            starts[i] += starts[i - 1];
-        }
-        int[] sorted = new int[count];
-        for (int i = 0; i < count; i++) {
-            sorted[starts[costs.get(i) - least]++] = levelStart + i;
-        }
-        return sorted;
-    }
-
-    @Override
-    public List<long[]> path() {
-        List<long[]> path = new ArrayList<>();
-        for (int node = (int) failure.pair(); node != NONE; node = parents.get(node)) {
-            long[] key = new long[layout.words()];
-            pairs.get(node, key);
-            path.add(key);
-        }
-        Collections.reverse(path);
-        return path;
+    public PairStore amongSets(MacroStates sets, Budget budget) {
+        addWaiting();
+        return new PairsAmongSets(this, sets, budget);
     }
 
     @Override

@@ -31,6 +31,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -101,7 +102,7 @@ final class Product {
         this.split = new CubeSplit(observed, outputs, events, budget);
         this.inputs = Letters.compared(left.inputs(), right.inputs());
         List<String> names = inputs.stream().map(Port::name).toList();
-        leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
+        leftPositions = IntStream.range(0, names.size()).toArray();
         rightPositions =
                 right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
     }
@@ -119,6 +120,16 @@ final class Product {
     /** Whether nothing can be forbidden any more: chaos allows all outputs, but no error. */
     boolean isSettled(int rightConfiguration) {
         return !mayErr && right.isChaos(rightConfiguration) && budget.takes(Shortcut.CHAOS);
+    }
+
+    /** Whether the right side may be in chaos, of a macro state. */
+    boolean isInChaos(int set) {
+        for (int member : sets.members(set)) {
+            if (right.isChaos(member)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The messages of a letter of the left side that the right side knows. */

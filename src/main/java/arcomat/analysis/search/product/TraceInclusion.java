@@ -47,6 +47,9 @@ public final class TraceInclusion {
     /** Beyond that, so many times as many as the search itself has tried. */
     private static final long FACTOR = 8;
 
+    /** Of more packed pairs it is not asked whether there is a simulation: that is not packed. */
+    private static final long MOST_SIMULATED = 10_000;
+
     private final Product product;
     private final Budget budget;
     private final SimulationRelation simulation;
@@ -299,13 +302,20 @@ public final class TraceInclusion {
                         ? Optional.empty()
                         : best != null
                                 ? Optional.of(false)
-                                : invariant().isPresent()
-                                        ? Optional.empty()
-                                        : pairs.isDetermined() && budget.takes(Shortcut.DETERMINED)
-                                                ? certain(true)
-                                                : simulation.verdict().flatMap(this::certain);
+                                : invariant().isPresent() ? Optional.empty() : simulated();
         return new Result(
                 Optional.ofNullable(best), stopped, simulated, chaosReached, promising, pairs());
+    }
+
+    /** Of a search that has met all pairs, and no failure. */
+    private Optional<Boolean> simulated() {
+        boolean determined = packed == null ? pairs.isDetermined() : packed.isDetermined();
+        if (determined && budget.takes(Shortcut.DETERMINED)) {
+            return certain(true);
+        }
+        return packed == null || packed.size() <= MOST_SIMULATED
+                ? simulation.verdict().flatMap(this::certain)
+                : Optional.empty();
     }
 
     /** Who decides late about a message simulates more easily, and is less easily simulated. */
@@ -377,19 +387,10 @@ public final class TraceInclusion {
             chaosReached = true;
             return;
         }
-        promising = promising || parent != Antichain.NONE && !isInChaos(set);
+        promising = promising || parent != Antichain.NONE && !product.isInChaos(set);
         long patience = Math.max(LITTLE_WORK, FACTOR * tried);
         boolean fresh = pairs.add(parent, left, set, cost, patience);
-        chaosReached = chaosReached || fresh && isInChaos(set);
-    }
-
-    private boolean isInChaos(int set) {
-        for (int member : product.sets.members(set)) {
-            if (product.right.isChaos(member)) {
-                return true;
-            }
-        }
-        return false;
+        chaosReached = chaosReached || fresh && product.isInChaos(set);
     }
 
     /** Why some inputs were left out that are told apart; empty where none was. */

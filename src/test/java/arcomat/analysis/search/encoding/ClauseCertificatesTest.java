@@ -97,6 +97,7 @@ class ClauseCertificatesTest {
             RandomRows rows = new RandomRows(SEED + i);
             compare(rows.whole("Whole"), rows.whole("Any"), rows.toString());
             compare(rows.whole("Whole"), rows.whole("Some"), rows.toString());
+            compare(rows.whole("Whole"), rows.whole("Several"), rows.toString());
             RandomRows equal = RandomRows.equal(SEED + i);
             compare(equal.whole("Whole"), equal.whole("Some"), equal.toString());
         }
