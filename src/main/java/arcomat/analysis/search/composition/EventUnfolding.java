@@ -31,10 +31,10 @@ import java.util.Optional;
  */
 public final class EventUnfolding implements Unfolding {
     /** Longer runs are not followed. */
-    private static final int LONGEST = 5_000;
+    public static final int LONGEST = 5_000;
 
     /** As many reactions to one event are tried, all its runs together. */
-    private static final int MOST_REACTIONS = 50_000;
+    public static final int MOST_REACTIONS = 50_000;
 
     private final Budget budget;
     private final Network network;

@@ -19,7 +19,7 @@ import java.util.List;
  * goes to the same registers and queues each time.
  */
 final class EventDeliveries {
-    final ShownSequences shown = new ShownSequences(this::refuseOpen);
+    final ShownSequences shown = new ShownSequences();
 
     private final Network network;
     private final EventWiring wiring;
@@ -43,11 +43,6 @@ final class EventDeliveries {
             messages.add(new Numbering<>());
             deliveries.add(new ArrayList<>());
         }
-    }
-
-    /** Messages that are left open cannot stand beside others. */
-    private void refuseOpen(int sequence) {
-        shown(sequence, shown.lastSignal(sequence));
     }
 
     /** What is shown on a signal, as one. */

@@ -254,9 +254,6 @@ public final class EventNetwork extends PackedNetwork {
         IntArrayList next = new IntArrayList();
         List<Delivery[]> sent = new ArrayList<>();
         for (JointReaction reaction : prospect.reactions()) {
-            if (reaction.next().contains(Configuration.ERROR)) {
-                throw new CannotPack("a part goes on beside an error");
-            }
             for (List<Sent> settled : open.settled(number, reaction.output().ports())) {
                 next.add(part.number(reaction.next()));
                 sent.add(deliveries.all(number, settled));

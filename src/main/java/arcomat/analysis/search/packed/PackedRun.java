@@ -1,5 +1,6 @@
 package arcomat.analysis.search.packed;
 
+import arcomat.analysis.search.composition.EventUnfolding;
 import arcomat.analysis.search.packed.EventLetters.Letter;
 import arcomat.analysis.search.packed.EventPart.Delivery;
 import arcomat.analysis.search.packed.EventPart.Row;
@@ -20,11 +21,6 @@ import java.util.Deque;
  * the way round the circle can be taken again and again.
  */
 final class PackedRun {
-    /** As for the unfolding. */
-    private static final int LONGEST = 5_000;
-
-    private static final int MOST_REACTIONS = 50_000;
-
     /** Is told what happens on the way. */
     interface Listener {
         /** A part has looked at what comes from outside. */
@@ -121,7 +117,7 @@ final class PackedRun {
 
     /** The part whose turn it is takes its next event; whether the run goes on. */
     boolean react() {
-        if (length > LONGEST || reactions > MOST_REACTIONS) {
+        if (length > EventUnfolding.LONGEST || reactions > EventUnfolding.MOST_REACTIONS) {
             throw new CannotPack("one event causes too much");
         }
         int part = turn;
@@ -204,7 +200,7 @@ final class PackedRun {
 
     private void save() {
         starts.add(saved.size());
-        saved.add(turn, shown, length, waiting);
+        saved.add(shown, length, waiting);
         saved.add(where, 0, where.length);
         saved.add(held, 0, held.length);
         for (EventQueue queue : queues) {
@@ -215,7 +211,6 @@ final class PackedRun {
     private void restore() {
         int[] from = saved.buffer;
         int position = starts.get(starts.size() - 1);
-        turn = from[position++];
         shown = from[position++];
         length = from[position++];
         waiting = from[position++];

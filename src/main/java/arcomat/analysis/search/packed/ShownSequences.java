@@ -8,7 +8,6 @@ import com.carrotsearch.hppc.LongIntHashMap;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.function.IntConsumer;
 
 /**
  * What compared outputs show within a step, one message after the other, in numbers: a tree, in
@@ -21,13 +20,8 @@ final class ShownSequences {
     private final IntArrayList before = new IntArrayList();
     private final IntArrayList last = new IntArrayList();
     private final LongIntHashMap longer = new LongIntHashMap();
-    private final IntConsumer check;
 
-    /**
-     * @param check told of each new sequence; may throw where it cannot be shown as one
-     */
-    ShownSequences(IntConsumer check) {
-        this.check = check;
+    ShownSequences() {
         before.add(0);
         last.add(0);
     }
@@ -48,14 +42,8 @@ final class ShownSequences {
         int number = before.size();
         before.add(sequence);
         last.add(thing);
-        check.accept(number);
         longer.put(key, number);
         return number;
-    }
-
-    /** The signal of the last message of a sequence that is not empty. */
-    int lastSignal(int sequence) {
-        return things.get(last.get(sequence)).signal;
     }
 
     /** What a sequence has on a signal, in order. */
