@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomNetworks;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.packed.PackedComparison;
 
 import org.junit.jupiter.api.Test;
 

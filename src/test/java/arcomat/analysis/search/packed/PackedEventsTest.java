@@ -1,9 +1,9 @@
-package arcomat.analysis.refinement;
+package arcomat.analysis.search.packed;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
-import arcomat.analysis.search.packed.RandomEventNetworks;
 import arcomat.model.Port;
 
 import org.junit.jupiter.api.Test;

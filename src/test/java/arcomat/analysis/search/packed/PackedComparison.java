@@ -1,7 +1,11 @@
-package arcomat.analysis.refinement;
+package arcomat.analysis.search.packed;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.ComparedSystems;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
@@ -21,7 +25,11 @@ import java.util.function.Function;
  * Asks questions with packed configurations and with others, and counts. Simulations are asked
  * neither here nor there, and nothing is left out but pairs.
  */
-final class PackedComparison {
+public final class PackedComparison {
+    /** What is left out beyond pairs. */
+    public static final Set<Shortcut> LEFT_OUT =
+            Set.of(Shortcut.CONE, Shortcut.UNREAD_VARIABLES, Shortcut.EQUAL_PARTS);
+
     /**
      * A verdict where the right side may be in several configurations at once: without their order,
      * and without numbers of configurations. Unpacked, it is asked whether a member of a set
@@ -63,17 +71,17 @@ final class PackedComparison {
     /**
      * @param states so many are explored
      */
-    PackedComparison(int states) {
+    public PackedComparison(int states) {
         budget = new Budget(() -> false, states);
     }
 
     /** How many packed searches have come to an answer. */
-    int packed(Answer answer) {
+    public int packed(Answer answer) {
         return packed.getOrDefault(answer, 0);
     }
 
     /** How many packed searches left out a pair beside one with a smaller set. */
-    int smaller() {
+    public int smaller() {
         return smaller;
     }
 
@@ -82,12 +90,12 @@ final class PackedComparison {
      *
      * @return whether configurations were packed
      */
-    boolean compare(Promise left, Promise right, String text) {
+    public boolean compare(Promise left, Promise right, String text) {
         return compare(left, right, text, Said::of);
     }
 
     /** The very same, texts and numbers: the right side is in one configuration at a time. */
-    boolean compareWhole(Promise left, Promise right, String text) {
+    public boolean compareWhole(Promise left, Promise right, String text) {
         return compare(left, right, text, Function.identity());
     }
 
@@ -121,7 +129,7 @@ final class PackedComparison {
 
     private static boolean noted(Shortcut rule, Set<Shortcut> taken) {
         taken.add(rule);
-        return !LeftOutTest.RULES.contains(rule) && rule != Shortcut.SIMULATED;
+        return !LEFT_OUT.contains(rule) && rule != Shortcut.SIMULATED;
     }
 
     private static boolean unpacked(Shortcut rule) {
