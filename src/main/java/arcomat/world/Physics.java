@@ -150,13 +150,15 @@ public final class Physics {
                 robots.set(i, pulled(i, robots.get(i), shafts[i]));
             }
         }
-        List<ThingState> things = pushing.meet(scene, robots, shafts, happenings);
+        Pushing.Meeting meeting = pushing.meet(scene, robots, shafts, happenings);
         for (int i = 0; i < robots.size(); i++) {
             if (world.robots().get(i).kind().wheels().isPresent()) {
-                robots.set(i, driven(i, robots, scene.drinkers(), happenings));
+                robots.set(
+                        i,
+                        driven(i, meeting.partings().get(i), robots, scene.drinkers(), happenings));
             }
         }
-        things = pushing.move(scene, robots, things);
+        List<ThingState> things = pushing.move(scene, robots, meeting);
         stations.step(robots, shafts, SECONDS, happenings);
         List<DrinkerState> drinkers =
                 people.step(scene.drinkers(), robots, things, SECONDS, happenings);
@@ -174,8 +176,12 @@ public final class Physics {
                 state.right() + (right - state.right()) * share);
     }
 
+    /**
+     * @param parting by how much it moves faster than it keeps moving
+     */
     private RobotState driven(
             int index,
+            double parting,
             List<RobotState> robots,
             List<DrinkerState> drinkers,
             List<Happening> happenings) {
@@ -184,7 +190,7 @@ public final class Physics {
         double track = robot.kind().wheels().orElseThrow().track();
         double left = state.left();
         double right = state.right();
-        Pose pose = state.pose().driven(left, right, track, SECONDS);
+        Pose pose = state.pose().driven(left + parting, right + parting, track, SECONDS);
         String obstacle = obstacle(index, pose, 0, robots, drinkers);
         if (obstacle.isEmpty()) {
             boolean still =

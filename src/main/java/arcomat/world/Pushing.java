@@ -17,7 +17,9 @@ import arcomat.world.contact.Round;
 import arcomat.world.contact.Sliding;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * What is done to things that lie on the floor: robots push them, and they push each other and
@@ -32,9 +34,6 @@ final class Pushing {
 
     /** A robot that has pushed a thing still does while it is less than this away, in mm. */
     private static final double STILL = 5;
-
-    /** As heavy for others is a robot whose wheels stand: its tyres hold it. */
-    private static final double HELD = Double.POSITIVE_INFINITY;
 
     private final World world;
     private final double seconds;
@@ -53,23 +52,30 @@ final class Pushing {
     }
 
     /**
-     * Things with the speeds that they have after they met; robots are given theirs.
+     * What things and robots do after they met; robots are given the speeds that they keep.
      *
      * @param before where robots and things still are
      * @param robots with the speeds to which their wheels have pulled them
      * @param shafts as {@link Physics#step} has them
      */
-    List<ThingState> meet(
+    Meeting meet(
             Scene before, List<RobotState> robots, double[][] shafts, List<Happening> happenings) {
         if (world.things().isEmpty()) {
-            return List.of();
+            return new Meeting(List.of(), List.of(), Collections.nCopies(robots.size(), 0.0));
         }
         Step step = new Step(before, robots, shafts);
         step.contacts.settle();
         for (int i = 0; i < robots.size(); i++) {
             robots.set(i, step.robot(i, robots.get(i), happenings));
         }
-        return step.things.stream().map(Thrust::state).toList();
+        List<ThingState> things = step.states();
+        List<Double> speeds = step.speeds();
+        step.contacts.part();
+        return new Meeting(things, step.states(), differences(step.speeds(), speeds));
+    }
+
+    private static List<Double> differences(List<Double> ones, List<Double> others) {
+        return IntStream.range(0, ones.size()).mapToObj(i -> ones.get(i) - others.get(i)).toList();
     }
 
     /**
@@ -78,13 +84,14 @@ final class Pushing {
      *
      * @param before where robots and things were
      * @param robots where they are now
-     * @param things with their speeds
+     * @param meeting what has come of it
      */
-    List<ThingState> move(Scene before, List<RobotState> robots, List<ThingState> things) {
+    List<ThingState> move(Scene before, List<RobotState> robots, Meeting meeting) {
+        List<ThingState> things = meeting.things();
         if (things.isEmpty()) {
             return things;
         }
-        Crowd crowd = crowd(before, robots, things);
+        Crowd crowd = crowd(before, robots, meeting.moving());
         crowd.settle();
         for (int i = 0; i < robots.size(); i++) {
             robots.set(i, held(robots.get(i), crowd.now(i)));
@@ -148,6 +155,20 @@ final class Pushing {
         return new Round(place.x(), place.y(), world.things().get(thing).radius());
     }
 
+    private static double speed(RobotState robot) {
+        return (robot.left() + robot.right()) / 2;
+    }
+
+    /**
+     * What has come of a step. Those that were too near each other go apart in it faster than they
+     * go on.
+     *
+     * @param things with the speeds that they keep
+     * @param moving things with the speeds at which they move in this step
+     * @param partings by how much robots move faster in this step, in mm per second
+     */
+    record Meeting(List<ThingState> things, List<ThingState> moving, List<Double> partings) {}
+
     /** A thing while it meets others. */
     private record Thrust(Round round, Sliding body) {
         ThingState state() {
@@ -192,11 +213,11 @@ final class Pushing {
                                 double turn = (state.right() - state.left()) / wheels.track();
                                 double way = state.pose().heading() + turn * seconds / 2;
                                 double mass = robot.kind().mass() + state.cup().mass;
-                                return new Rolling(
-                                        state.stands() && wheels.stand(shafts) ? HELD : mass,
-                                        Circle.cos(way),
-                                        Circle.sin(way),
-                                        (state.left() + state.right()) / 2);
+                                double x = Circle.cos(way);
+                                double y = Circle.sin(way);
+                                return state.stands() && wheels.stand(shafts)
+                                        ? Rolling.held(mass, x, y, speed(state))
+                                        : Rolling.free(mass, x, y, speed(state));
                             })
                     .orElse(Body.FIXED);
         }
@@ -255,6 +276,17 @@ final class Pushing {
             contacts.of(thrust.body(), Body.FIXED, 0, 1, world.depth() - round.y());
         }
 
+        List<ThingState> states() {
+            return things.stream().map(Thrust::state).toList();
+        }
+
+        /** Of robots, the way that they roll; 0 of those that do not. */
+        List<Double> speeds() {
+            return robots.stream()
+                    .map(body -> body instanceof Rolling rolling ? rolling.speed() : 0.0)
+                    .toList();
+        }
+
         /** With the speeds that things have left to it; it tells of the first that it pushes. */
         RobotState robot(int index, RobotState state, List<Happening> happenings) {
             List<Touch> pushed =
@@ -269,7 +301,7 @@ final class Pushing {
             }
             double more = 0;
             if (robots.get(index) instanceof Rolling rolling) {
-                more = rolling.speed() - (state.left() + state.right()) / 2;
+                more = rolling.speed() - speed(state);
             }
             return state.rolling(state.left() + more, state.right() + more)
                     .pushing(!pushed.isEmpty());

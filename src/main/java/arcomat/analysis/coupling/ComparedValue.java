@@ -38,7 +38,7 @@ record ComparedValue(Optional<Port> variable, boolean opposite, long plus, Value
     @SuppressWarnings("NullAway") // it stands in no model
     Expression expression(Type type) {
         if (variable.isEmpty()) {
-            return new Expression.Constant(value, type, null);
+            return new Expression.Constant(value, holding(type), null);
         }
         Expression read = new Expression.PortRead(variable.get(), null);
         if (!isCalculated()) {
@@ -55,6 +55,11 @@ record ComparedValue(Optional<Port> variable, boolean opposite, long plus, Value
         return plus == 0
                 ? signed
                 : new Expression.Binary(BinaryOperator.PLUS, signed, number, WIDE, null);
+    }
+
+    /** A type that has the value: in one that is too narrow for it, bits of it would be lost. */
+    private Type holding(Type type) {
+        return type instanceof Type.IntegerType && !type.has(value) ? WIDE : type;
     }
 
     @Override

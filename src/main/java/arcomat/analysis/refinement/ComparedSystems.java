@@ -135,7 +135,7 @@ public record ComparedSystems(
 
     /** The left side, if it can be told in bits. */
     private Optional<NetworkSystem> network() {
-        return left instanceof NetworkSystem network && network.canBePacked()
+        return left instanceof NetworkSystem network && network.worksInSlices()
                 ? Optional.of(network.smaller().system())
                 : Optional.empty();
     }

@@ -15,7 +15,8 @@ public final class Contact {
     /**
      * @param x of the direction from one to the other, a vector of length 1
      * @param y likewise
-     * @param nearing the speed at which they may come nearer in this step
+     * @param nearing the speed at which they may come nearer in this step; below 0, they are too
+     *     near
      */
     Contact(Body one, Body other, double x, double y, double nearing) {
         this.one = one;
@@ -35,10 +36,25 @@ public final class Contact {
         return impulse > 0;
     }
 
+    /** Whether there is less room between them than there has to be. */
+    boolean isTooNear() {
+        return nearing < 0;
+    }
+
+    /** They come no nearer than they may, and where they are too near, no nearer at all. */
     void settle() {
+        settle(Math.max(0, nearing));
+    }
+
+    /** Where they are too near, they also go apart. */
+    void part() {
+        settle(nearing);
+    }
+
+    private void settle(double most) {
         double mobility = one.mobility(x, y) + other.mobility(x, y);
         if (mobility > 0) {
-            double excess = one.speed(x, y) - other.speed(x, y) - nearing;
+            double excess = one.speed(x, y) - other.speed(x, y) - most;
             double whole = Math.max(0, impulse + excess / mobility);
             one.push(impulse - whole, x, y);
             other.push(whole - impulse, x, y);

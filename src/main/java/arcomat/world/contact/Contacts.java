@@ -2,6 +2,7 @@ package arcomat.world.contact;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * All that may touch in one step. Whatever bodies do in the directions of their contacts, round
@@ -11,7 +12,7 @@ public final class Contacts {
     /** So far from each other bodies stay that touch: rounding does not make them overlap. */
     private static final double SKIN = 0.01;
 
-    /** How fast they go apart at least, where they overlapped when all began. */
+    /** How fast they go apart at most, where they overlapped when all began. */
     private static final double APART = 20;
 
     /**
@@ -72,11 +73,31 @@ public final class Contacts {
         drags.add(new Drag(body, force * seconds));
     }
 
-    /** Changes speeds until nothing comes nearer to anything than it may. */
+    /**
+     * Changes speeds until nothing comes nearer to anything than it may. Bodies together gain no
+     * energy by it, even where there are too few rounds: each look at a contact, a floor or a tyre
+     * minimizes their energy and, of each contact, its impulse times the speed that it allows. That
+     * sum begins with the energy alone, and what it adds is never below 0.
+     */
     public void settle() {
+        settle(Contact::settle);
+    }
+
+    /**
+     * After that: has bodies go apart that are too near each other. Speeds are then those of their
+     * ways in this step. Nobody is to keep them: no motor gives them, and bodies that were pressed
+     * together would leap off each other.
+     */
+    public void part() {
+        if (contacts.stream().anyMatch(Contact::isTooNear)) {
+            settle(Contact::part);
+        }
+    }
+
+    private void settle(Consumer<Contact> look) {
         for (int round = 0; round < ROUNDS; round++) {
             drags.forEach(Drag::settle);
-            contacts.forEach(Contact::settle);
+            contacts.forEach(look);
         }
     }
 }

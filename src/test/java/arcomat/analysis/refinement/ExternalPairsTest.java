@@ -8,6 +8,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.external.ExternalPairs;
 import arcomat.analysis.search.packed.PairStore;
+import arcomat.analysis.search.packed.RandomEventNetworks;
 import arcomat.model.Model;
 import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
@@ -100,6 +101,17 @@ class ExternalPairsTest {
             compare(rows.whole("Whole"), rows.whole("Any"), rows.toString());
             compare(rows.whole("Whole"), rows.whole("Several"), rows.toString());
             compare(rows.whole("Whole"), rows.whole("Some"), rows.toString());
+        }
+        requireEnough();
+    }
+
+    @Test
+    void saysTheSameOfEvents() {
+        for (int i = 0; i < QUESTIONS; i++) {
+            RandomEventNetworks networks = new RandomEventNetworks(SEED + i);
+            for (String right : List.of("Any", "Some", "Strict")) {
+                compare(networks.promise("Whole"), networks.promise(right), networks.toString());
+            }
         }
         requireEnough();
     }

@@ -7,6 +7,7 @@ import arcomat.analysis.Replay;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
+import arcomat.analysis.search.packed.PackedComparison;
 import arcomat.model.Model;
 import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
@@ -25,10 +26,6 @@ import java.util.Set;
  * messages; one that is told has been followed through the whole system.
  */
 class LeftOutTest {
-    /** What is left out beyond what is packed. */
-    static final Set<Shortcut> RULES =
-            EnumSet.of(Shortcut.CONE, Shortcut.UNREAD_VARIABLES, Shortcut.EQUAL_PARTS);
-
     private static final int QUESTIONS = Integer.getInteger("leftOut.questions", 200);
     private static final int SEED = Integer.getInteger("leftOut.seed", 23);
     private static final Budget BUDGET = new Budget(() -> false, 20_000);
@@ -103,7 +100,7 @@ class LeftOutTest {
         Promise plain = Promise.of(model.component("e.Plain").orElseThrow(), List.of());
         Budget few = new Budget(() -> false, 1_000);
         assertThat(Refinement.compare(whole, plain, few).answer()).isEqualTo(Answer.HOLDS);
-        Budget all = few.with(rule -> !RULES.contains(rule));
+        Budget all = few.with(rule -> !PackedComparison.LEFT_OUT.contains(rule));
         assertThat(Refinement.compare(whole, plain, all).answer()).isEqualTo(Answer.UNKNOWN);
     }
 
@@ -138,7 +135,10 @@ class LeftOutTest {
         Verdict quick =
                 Refinement.compare(left, right, BUDGET.with(rule -> rules.add(rule) || true));
         Verdict thorough =
-                Refinement.compare(left, right, BUDGET.with(rule -> !RULES.contains(rule)));
+                Refinement.compare(
+                        left,
+                        right,
+                        BUDGET.with(rule -> !PackedComparison.LEFT_OUT.contains(rule)));
         if (thorough.answer() != Answer.UNKNOWN) {
             assertThat(Told.of(quick)).as(text).isEqualTo(Told.of(thorough));
         }

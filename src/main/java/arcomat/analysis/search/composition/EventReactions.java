@@ -1,7 +1,6 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.step.CubeSplit;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
@@ -19,60 +18,35 @@ import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
 /**
  * The parts of an event-driven network: how one of them takes an event, and where its messages go.
- * A message that is left open, and that a part will read, is divided into all its values.
  */
 final class EventReactions {
     private final Budget budget;
     private final Network network;
-    private final Wiring wiring;
+    private final EventWiring wiring;
+    private final OpenMessages openMessages;
     private final List<ComponentSemantics> behaviours;
-
-    /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
-    private final int[][] held;
-
     private @Nullable String leftOut;
 
-    EventReactions(Network network, Wiring wiring, Budget budget) {
+    EventReactions(Network network, EventWiring wiring, Budget budget) {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
+        this.openMessages = new OpenMessages(network, wiring, budget, this::leaveOut);
         this.behaviours = ComponentSemantics.ofParts(network, budget::insist);
-        this.held = new int[network.instances().size()][];
-        int[] latchedInputs = latchedInputs(network);
-        for (int part = 0; part < held.length; part++) {
-            Network.Instance instance = network.instances().get(part);
-            held[part] =
-                    instance.inputSignals().stream()
-                            .mapToInt(s -> s < 0 ? RunToCompletion.INSIDE : latchedInputs[s])
-                            .toArray();
-        }
-    }
-
-    private static int[] latchedInputs(Network network) {
-        int[] positions = new int[network.signals()];
-        Arrays.fill(positions, RunToCompletion.INSIDE);
-        for (int i = 0; i < network.inputs().size(); i++) {
-            if (network.inputs().get(i).port().latched()) {
-                positions[network.inputs().get(i).signal()] = i;
-            }
-        }
-        return positions;
     }
 
     List<ComponentSemantics> behaviours() {
         return behaviours;
     }
 
-    /** The latched external input that a port of a part reads, else {@code INSIDE}. */
-    int held(int part, int port) {
-        return held[part][port];
+    /** As one, what is sent on a port one after the other. */
+    Sent joined(Network.External output, List<Sent> all) {
+        return openMessages.joined(output, all);
     }
 
     Optional<String> leftOut() {
@@ -141,7 +115,7 @@ final class EventReactions {
     }
 
     private void finish(RunToCompletion run, int part, List<Sent> output, Branches found) {
-        List<List<Sent>> settled = settled(part, output);
+        List<List<Sent>> settled = openMessages.settled(part, output);
         for (List<Sent> sent : settled) {
             send(settled.size() == 1 ? run : run.twin(), part, sent, found);
         }
@@ -150,11 +124,7 @@ final class EventReactions {
     private Unfolding.Step error(RunToCompletion run, int part, JointError error) {
         List<Trace.Cause> causes = run.causes();
         causes.addAll(error.causes());
-        return Unfolding.Step.error(path(part) + ": " + error.message(), causes);
-    }
-
-    private String path(int part) {
-        return network.instances().get(part).path();
+        return Unfolding.Step.error(wiring.problem(part, error), causes);
     }
 
     /** Only messages from outside are looked at: those from inside are known. */
@@ -166,9 +136,9 @@ final class EventReactions {
         List<StepRelation> relations = behaviours.get(part).relations();
         for (int i = 0; i < configurations.size(); i++) {
             InputAbstraction abstraction = relations.get(i).abstraction(configurations.get(i));
-            for (int port = 0; port < held[part].length; port++) {
-                int origin = port == event.port() ? event.origin() : held[part][port];
-                if (origin != RunToCompletion.INSIDE) {
+            for (int port = 0; port < abstraction.looks().size(); port++) {
+                int origin = port == event.port() ? event.origin() : wiring.held(part, port);
+                if (origin != EventWiring.INSIDE) {
                     looks[origin] = looks[origin].and(abstraction.looks().get(port));
                 }
             }
@@ -180,7 +150,7 @@ final class EventReactions {
         for (int i = 0; i < sent.size(); i++) {
             if (sent.get(i) instanceof Sent.Messages messages) {
                 Optional<String> problem =
-                        deliver(run, signals.get(i), messages.values(), RunToCompletion.INSIDE);
+                        deliver(run, signals.get(i), messages.values(), EventWiring.INSIDE);
                 if (problem.isPresent()) {
                     found.errors.add(Unfolding.Step.error(problem.get(), run.causes()));
                     return;
@@ -200,16 +170,11 @@ final class EventReactions {
     Optional<String> deliver(RunToCompletion run, int signal, List<Value> messages, int origin) {
         for (Value message : messages) {
             run.note(signal, new Sent.Messages(List.of(message)));
-            for (Wiring.Reader reader : wiring.readers.get(signal)) {
-                if (wiring.port(reader).latched()) {
+            for (Wiring.Reader reader : wiring.readers(signal)) {
+                if (wiring.isLatched(reader)) {
                     run.latch(reader.part(), reader.port(), message);
-                } else if (run.waiting(reader.part()) >= capacity(reader)) {
-                    return Optional.of(
-                            "%s has no room for another event on '%s' (capacity %d)"
-                                    .formatted(
-                                            path(reader.part()),
-                                            wiring.port(reader).name(),
-                                            capacity(reader)));
+                } else if (run.waiting(reader.part()) >= wiring.capacity(reader)) {
+                    return Optional.of(wiring.noRoom(reader));
                 } else {
                     run.enqueue(
                             reader.part(),
@@ -218,42 +183,5 @@ final class EventReactions {
             }
         }
         return Optional.empty();
-    }
-
-    private int capacity(Wiring.Reader reader) {
-        return network.instances().get(reader.part()).component().queueCapacity();
-    }
-
-    /** All ways to settle what somebody reads of an output; the rest stays open. */
-    private List<List<Sent>> settled(int part, List<Sent> output) {
-        List<List<Sent>> options = new ArrayList<>();
-        for (int i = 0; i < output.size(); i++) {
-            options.add(options(part, i, output.get(i)));
-        }
-        return CubeSplit.combinations(options, budget);
-    }
-
-    private List<Sent> options(int part, int output, Sent sent) {
-        int signal = network.instances().get(part).outputSignals().get(output);
-        List<Wiring.Reader> readers = wiring.readers.get(signal);
-        if (sent instanceof Sent.Messages || readers.isEmpty() && !wiring.shared[signal]) {
-            return List.of(sent);
-        }
-        boolean all = sent instanceof Sent.AnyMessage;
-        if (!all
-                && (wiring.observed[signal]
-                        || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
-            leaveOut(
-                    "%s leaves open what it sends on '%s', %s; %s"
-                            .formatted(
-                                    path(part),
-                                    wiring.sender[signal].name(),
-                                    readers.isEmpty()
-                                            ? "and two ports show it"
-                                            : "and parts read it",
-                                    "decide with transitions, or with another completion"));
-            return List.of(Sent.SILENCE);
-        }
-        return wiring.samples(signal, all, new InputAbstraction.Whole());
     }
 }

@@ -31,20 +31,18 @@ import java.util.Optional;
  */
 public final class EventUnfolding implements Unfolding {
     /** Longer runs are not followed. */
-    private static final int LONGEST = 5_000;
+    public static final int LONGEST = 5_000;
 
     /** As many reactions to one event are tried, all its runs together. */
-    private static final int MOST_REACTIONS = 50_000;
+    public static final int MOST_REACTIONS = 50_000;
 
     private final Budget budget;
     private final Network network;
-    private final Wiring wiring;
+    private final EventWiring wiring;
     private final EventReactions parts;
     private final List<Port> inputs;
-    private final PortAbstraction[] firstLooks;
-
-    /** Latched ports of parts whose messages come from inside, or as events from outside. */
-    private final List<Wiring.Reader> registers = new ArrayList<>();
+    private final List<PortAbstraction> firstLooks;
+    private final List<Wiring.Reader> registers;
 
     /**
      * @param compared names of the outputs that the outside looks at
@@ -52,18 +50,11 @@ public final class EventUnfolding implements Unfolding {
     public EventUnfolding(Network network, List<String> compared, Budget budget) {
         this.budget = budget;
         this.network = network;
-        this.wiring = new Wiring(network, compared);
+        this.wiring = new EventWiring(network, compared);
         this.parts = new EventReactions(network, wiring, budget);
         this.inputs = network.inputs().stream().map(Network.External::port).toList();
-        this.firstLooks = firstLooks();
-        for (int part = 0; part < network.instances().size(); part++) {
-            List<Port> ports = network.instances().get(part).component().inputs();
-            for (int port = 0; port < ports.size(); port++) {
-                if (ports.get(port).latched() && parts.held(part, port) == RunToCompletion.INSIDE) {
-                    registers.add(new Wiring.Reader(part, port));
-                }
-            }
-        }
+        this.firstLooks = wiring.firstLooks();
+        this.registers = wiring.registers();
     }
 
     /** Why a network cannot be unfolded so; empty if it can. */
@@ -73,37 +64,13 @@ public final class EventUnfolding implements Unfolding {
             boolean triggers =
                     wiring.readers.get(input.signal()).stream()
                             .anyMatch(reader -> !wiring.port(reader).latched());
-            if (input.port().latched() && (triggers || isShown(network, input))) {
+            if (input.port().latched() && (triggers || EventWiring.isShown(network, input))) {
                 return Optional.of(
                         "'%s' of %s keeps a value for its surroundings, but is an event inside"
                                 .formatted(input.name(), network.component().qualifiedName()));
             }
         }
         return Optional.empty();
-    }
-
-    private static boolean isShown(Network network, Network.External input) {
-        return network.outputs().stream().anyMatch(output -> output.signal() == input.signal());
-    }
-
-    /** An event is seen at least; all of it matters where it is stored or passes through. */
-    private PortAbstraction[] firstLooks() {
-        PortAbstraction[] looks = new PortAbstraction[inputs.size()];
-        for (int i = 0; i < looks.length; i++) {
-            Network.External input = network.inputs().get(i);
-            boolean stored =
-                    wiring.readers.get(input.signal()).stream()
-                            .anyMatch(reader -> wiring.port(reader).latched());
-            if (input.port().latched()) {
-                looks[i] = new InputAbstraction.Unseen();
-            } else {
-                looks[i] =
-                        stored || isShown(network, input)
-                                ? new InputAbstraction.Copied()
-                                : new InputAbstraction.Compared(List.of(), false);
-            }
-        }
-        return looks;
     }
 
     @Override
@@ -162,7 +129,7 @@ public final class EventUnfolding implements Unfolding {
     /** Found by running: what a run looks at is known when it has looked. */
     @Override
     public InputAbstraction abstraction(GlobalState whole, Representatives standIns) {
-        PortAbstraction[] looks = firstLooks.clone();
+        PortAbstraction[] looks = firstLooks.toArray(PortAbstraction[]::new);
         List<PortAbstraction> before;
         do {
             before = List.of(looks);
@@ -207,8 +174,8 @@ public final class EventUnfolding implements Unfolding {
         Value[][] latched = nothingLatched();
         for (int part = 0; part < latched.length; part++) {
             for (int port = 0; port < latched[part].length; port++) {
-                int input = parts.held(part, port);
-                latched[part][port] = input == RunToCompletion.INSIDE ? null : letter[input];
+                int input = wiring.held(part, port);
+                latched[part][port] = input == EventWiring.INSIDE ? null : letter[input];
             }
         }
         for (int i = 0; i < registers.size(); i++) {
@@ -258,7 +225,7 @@ public final class EventUnfolding implements Unfolding {
         outcomes.add(Unfolding.Step.error("messages circle without end", run.causes()));
         boolean shows =
                 run.emissionsSince(earlier).stream()
-                        .anyMatch(emission -> wiring.observed[emission.signal()]);
+                        .anyMatch(emission -> wiring.isObserved(emission.signal()));
         if (shows && run.hasAlternativesSince(earlier)) {
             parts.leaveOut("messages circle, as often as they like, and send more each time");
         }
@@ -277,35 +244,11 @@ public final class EventUnfolding implements Unfolding {
         run.emissions().forEach(emission -> signals.get(emission.signal()).add(emission.sent()));
         List<Sent> sent = new ArrayList<>();
         for (Network.External output : network.outputs()) {
-            sent.add(output.signal() < 0 ? Sent.SILENCE : joined(output, signals));
+            sent.add(
+                    output.signal() < 0
+                            ? Sent.SILENCE
+                            : parts.joined(output, signals.get(output.signal())));
         }
         return new Unfolding.Step(new GlobalState(run.parts(), kept), sent, run.causes());
-    }
-
-    /** What is sent on a port one after the other, as one. */
-    private Sent joined(Network.External output, List<List<Sent>> signals) {
-        List<Sent> all = signals.get(output.signal());
-        if (all.size() == 1) {
-            return all.get(0);
-        }
-        if (!all.isEmpty() && all.stream().allMatch(Sent.Anything.class::isInstance)) {
-            return all.get(0);
-        }
-        List<Value> messages = new ArrayList<>();
-        for (Sent each : all) {
-            if (each instanceof Sent.Messages closed) {
-                messages.addAll(closed.values());
-            } else {
-                if (wiring.observed[output.signal()]) {
-                    parts.leaveOut(
-                            "'%s' carries messages that are left open beside others"
-                                    .formatted(output.name()));
-                }
-                if (each instanceof Sent.AnyMessage) {
-                    messages.add(output.port().type().first());
-                }
-            }
-        }
-        return new Sent.Messages(messages);
     }
 }

@@ -25,14 +25,13 @@ final class RunToCompletion {
      * Waits in the queue of a part.
      *
      * @param port of the part
-     * @param origin position of the external input that it came in by; {@link #INSIDE} for others
+     * @param origin position of the external input that it came in by; {@link EventWiring#INSIDE}
+     *     for others
      */
     record Event(int port, Value message, int origin) {}
 
     /** What has been put on a signal. */
     record Emission(int signal, Sent sent) {}
-
-    static final int INSIDE = -1;
 
     private final @Nullable RunToCompletion before;
     private final int length;

@@ -11,10 +11,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /** Who sends and who reads each signal of a network. */
-final class Wiring {
+public final class Wiring {
 
     /** An input port of a part. */
-    record Reader(int part, int port) {}
+    public record Reader(int part, int port) {}
 
     private final Network network;
     final boolean[] delayed;

@@ -101,7 +101,7 @@ public record NetworkTables(
      * @param rules how many rules there may be in all
      */
     public static NetworkTables of(
-            PackedNetwork network,
+            SliceNetwork network,
             List<List<@Nullable Value>> inputs,
             List<GlobalState> starts,
             int most,
@@ -135,7 +135,7 @@ public record NetworkTables(
         return new NetworkTables(tables, messages, kept, external, network.observed, initial);
     }
 
-    private static Start start(PackedNetwork network, GlobalState state) {
+    private static Start start(SliceNetwork network, GlobalState state) {
         int[] configurations = new int[network.parts.size()];
         for (int part = 0; part < configurations.length; part++) {
             configurations[part] = network.parts.get(part).number(state.parts().get(part));
@@ -151,13 +151,13 @@ public record NetworkTables(
 
     /** Asks parts about all that they may read, until they send and reach nothing new. */
     private static final class Closure {
-        private final PackedNetwork network;
+        private final SliceNetwork network;
         private final int most;
         private final int mostRules;
         private boolean grows = true;
         private int count;
 
-        Closure(PackedNetwork network, int most, int mostRules) {
+        Closure(SliceNetwork network, int most, int mostRules) {
             this.network = network;
             this.most = most;
             this.mostRules = mostRules;

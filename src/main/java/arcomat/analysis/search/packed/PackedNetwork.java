@@ -1,41 +1,29 @@
 package arcomat.analysis.search.packed;
 
-import arcomat.analysis.search.Numbering;
-import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.composition.GlobalState;
-import arcomat.analysis.search.reduction.EqualParts;
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
-import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.InputAbstraction.PortAbstraction;
-
-import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
-import java.util.stream.IntStream;
 
 /**
- * A time-synchronous network in numbers: configurations of parts, and messages on signals, as they
- * are met. How many bits they take is known as far as they have been met; who meets more widens the
- * layout, and goes on in the new one.
+ * A network in numbers: configurations of parts, and what has been sent and can still be read, as
+ * they are met. How many bits they take is known as far as they have been met; who meets more
+ * widens the layout, and goes on in the new one.
  *
- * <p>The fields of a configuration are those of the parts, each followed by those of the delayed
- * signals that it sends; the last one is a mark, for who keeps a configuration with something else.
+ * <p>The last field of a configuration is a mark, for who keeps it with something else.
  */
-public final class PackedNetwork {
+public abstract class PackedNetwork {
     /** Any odd number with many bits. */
     private static final long DIGEST = 0x9E3779B97F4A7C15L;
 
-    /** A part leaves open what somebody reads: only the unfolding divides that. */
+    /** What happens is more than tables can tell: only the unfolding knows. */
     public static final class CannotPack extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
@@ -53,248 +41,63 @@ public final class PackedNetwork {
         }
     }
 
-    final Network network;
-    final boolean[] delayed;
-    final List<Numbering<Sent>> messages = new ArrayList<>();
-    final List<PartOutcomes> parts = new ArrayList<>();
-
-    /** Per signal, whether a part reads it, or more than one output shows it. */
-    final boolean[] read;
-
-    /** Signals that compared outputs show, each once. */
-    final int[] observed;
-
-    private final List<EqualParts> equal;
-    private final boolean[] external;
-
-    private final Numbering<List<PortAbstraction>> externalLooks = new Numbering<>();
-
-    final int[] partField;
-
-    /** Per signal; -1 for one that no configuration has. */
-    final int[] signalField;
-
-    private final int markField;
-    private final List<List<Integer>> alike;
     private int marks = 1;
     private int computed;
 
-    /**
-     * @param behaviours one per instance
-     * @param observed the signals of compared outputs, of those that are connected
-     * @param equal parts that share their numbers, so that they can change places
-     * @param between called before what may take long; may throw to give up
-     * @param takes whether a shortcut may be taken
-     */
-    public PackedNetwork(
-            Network network,
-            List<ComponentSemantics> behaviours,
-            int[] observed,
-            List<EqualParts> equal,
-            Runnable between,
-            Predicate<Shortcut> takes) {
-        if (behaviours.isEmpty()) {
-            throw new CannotPack("no parts");
-        }
-        this.network = network;
-        this.observed = IntStream.of(observed).distinct().toArray();
-        this.external = new boolean[network.signals()];
-        network.inputs().forEach(input -> external[input.signal()] = true);
-        this.delayed = new boolean[network.signals()];
-        this.read = new boolean[network.signals()];
-        network.delayed().forEach(signal -> delayed[signal] = true);
-        for (int signal = 0; signal < network.signals(); signal++) {
-            messages.add(new Numbering<>());
-        }
-        this.equal = List.copyOf(equal);
-        int[] alikeParts = shareNumbers();
-        partField = new int[behaviours.size()];
-        signalField = new int[network.signals()];
-        Arrays.fill(signalField, -1);
-        for (int part = 0; part < partField.length; part++) {
-            Network.Instance instance = network.instances().get(part);
-            parts.add(
-                    alikeParts[part] < part
-                            ? parts.get(alikeParts[part])
-                            : new PartOutcomes(
-                                    behaviours.get(part),
-                                    numbers(instance.inputSignals()),
-                                    numbers(instance.outputSignals()),
-                                    () -> compute(between),
-                                    () -> takes.test(Shortcut.ALIKE)));
-            instance.inputSignals().stream().filter(s -> s >= 0).forEach(s -> read[s] = true);
-        }
-        boolean[] kept = kept(takes);
-        int field = 0;
-        for (int part = 0; part < partField.length; part++) {
-            partField[part] = field++;
-            for (int signal : network.instances().get(part).outputSignals()) {
-                signalField[signal] = kept[signal] ? field++ : -1;
-            }
-        }
-        for (int i = 0; i < observed.length; i++) {
-            for (int j = 0; j < i; j++) {
-                read[observed[i]] |= observed[i] == observed[j];
-            }
-        }
-        markField = field;
-        alike = alike(network);
-        parts.get(0).number(List.of(Configuration.ERROR));
-    }
-
-    private void compute(Runnable between) {
+    /** Notes that something is computed, which is known from then on. */
+    final void compute(Runnable between) {
         computed++;
         between.run();
     }
 
     /** Grows whenever what a part does is computed, which may be known from then on. */
-    public int computed() {
+    public final int computed() {
         return computed;
     }
 
-    /** How many things have been met, by part and by signal. */
-    public int[] met() {
-        return IntStream.concat(
-                        parts.stream().mapToInt(PartOutcomes::size),
-                        messages.stream().mapToInt(Numbering::size))
-                .toArray();
-    }
+    /** How many things have been met, by kind. */
+    public abstract int[] met();
+
+    /** One of them. */
+    abstract Object thing(int kind, int number);
 
     /**
      * Whoever has met the same things in the same order has the same; nobody else, in practice.
      *
-     * @param first so many things count, by part and by signal
+     * @param first so many things count, by kind
      */
-    public long digest(int[] first) {
+    public final long digest(int[] first) {
         long digest = 0;
         for (int i = 0; i < first.length; i++) {
             for (int number = 0; number < first[i]; number++) {
-                Object thing =
-                        i < parts.size()
-                                ? parts.get(i).configuration(number)
-                                : messages.get(i - parts.size()).get(number);
-                digest = digest * DIGEST + thing.toString().hashCode();
+                digest = digest * DIGEST + thing(i, number).toString().hashCode();
             }
         }
         return digest;
     }
 
-    /** Per signal, whether it has delay, and somebody reads it. */
-    private boolean[] kept(Predicate<Shortcut> takes) {
-        boolean[] kept = delayed.clone();
-        for (int signal = 0; signal < kept.length; signal++) {
-            kept[signal] &= read[signal] || !takes.test(Shortcut.CONE);
-        }
-        return kept;
-    }
-
-    /** What equal parts send has the same numbers; per part the first one that is equal. */
-    private int[] shareNumbers() {
-        int[] first = IntStream.range(0, network.instances().size()).toArray();
-        for (EqualParts each : equal) {
-            for (int[] group : each.groups()) {
-                for (int i = 0; i < group.length; i++) {
-                    share(each.groups().get(0)[i], group[i]);
-                }
-            }
-        }
-        for (EqualParts each : equal) {
-            for (int i = 0; i < each.groups().get(0).length; i++) {
-                int position = i;
-                int least = each.groups().stream().mapToInt(g -> g[position]).min().orElseThrow();
-                each.groups().forEach(group -> first[group[position]] = least);
-            }
-        }
-        return first;
-    }
-
-    private void share(int part, int other) {
-        List<Integer> own = network.instances().get(part).outputSignals();
-        List<Integer> others = network.instances().get(other).outputSignals();
-        for (int port = 0; port < own.size(); port++) {
-            messages.set(others.get(port), messages.get(own.get(port)));
-        }
-    }
-
-    /** Puts configurations of a layout into the form in which equal parts stand in one order. */
-    public Consumer<long[]> canonical(PackedLayout layout) {
-        List<CanonicalForm> forms = new ArrayList<>();
-        for (EqualParts each : equal) {
-            List<int[]> fields = each.groups().stream().map(this::fields).toList();
-            if (CanonicalForm.fits(fields.get(0), layout)) {
-                forms.add(new CanonicalForm(each.ring(), fields, layout));
-            }
-        }
-        if (forms.size() == 1) {
-            return forms.get(0)::apply;
-        }
-        return key -> forms.forEach(form -> form.apply(key));
-    }
-
-    private int[] fields(int[] group) {
-        return Arrays.stream(group)
-                .flatMap(
-                        part ->
-                                IntStream.concat(
-                                        IntStream.of(partField[part]),
-                                        network.instances().get(part).outputSignals().stream()
-                                                .mapToInt(signal -> signalField[signal])
-                                                .filter(field -> field >= 0)))
-                .toArray();
-    }
-
-    /** In words, which parts are equal; empty where none are. */
-    public List<String> equalParts() {
-        return equal.stream().map(each -> each.text(network)).toList();
-    }
-
-    private List<Numbering<Sent>> numbers(List<Integer> signals) {
-        return signals.stream().map(s -> s < 0 ? new Numbering<Sent>() : messages.get(s)).toList();
-    }
-
     /** Gives room for so many marks. */
-    public void marks(int count) {
+    public final void marks(int count) {
         marks = Math.max(marks, count);
     }
 
-    /**
-     * With bits for all that has been met; a part gets as many as others of its kind, since it will
-     * need them sooner or later.
-     */
-    public PackedLayout layout() {
-        List<Integer> widths = new ArrayList<>();
-        for (int part = 0; part < partField.length; part++) {
-            Network.Instance instance = network.instances().get(part);
-            List<Integer> most = new ArrayList<>();
-            for (int other : alike.get(part)) {
-                widen(most, other);
-            }
-            widths.add(most.get(0));
-            for (int port = 0; port < instance.outputSignals().size(); port++) {
-                if (signalField[instance.outputSignals().get(port)] >= 0) {
-                    widths.add(most.get(port + 1));
-                }
-            }
-        }
-        widths.add(bits(marks));
-        return PackedLayout.of(widths.stream().mapToInt(Integer::intValue).toArray());
+    /** With bits for all that has been met. */
+    public abstract PackedLayout layout();
+
+    /** Where the mark stands in a layout. */
+    public abstract int markField();
+
+    /** The bits of the mark. */
+    final int markBits() {
+        return bits(marks);
     }
 
-    /** Bits of the configuration, then of the signals by output port. */
-    private void widen(List<Integer> most, int part) {
-        List<Integer> own = new ArrayList<>(List.of(bits(parts.get(part).size())));
-        network.instances().get(part).outputSignals().forEach(s -> own.add(bitsOf(s)));
-        for (int i = 0; i < own.size(); i++) {
-            if (i == most.size()) {
-                most.add(own.get(i));
-            } else {
-                most.set(i, Math.max(most.get(i), own.get(i)));
-            }
-        }
+    static int bits(int count) {
+        return Integer.SIZE - Integer.numberOfLeadingZeros(Math.max(0, count - 1));
     }
 
     /** Per part those that are made of the same component. */
-    private static List<List<Integer>> alike(Network network) {
+    static List<List<Integer>> alike(Network network) {
         Map<Component, List<Integer>> ofComponents = new IdentityHashMap<>();
         List<List<Integer>> alike = new ArrayList<>();
         for (Network.Instance instance : network.instances()) {
@@ -306,116 +109,45 @@ public final class PackedNetwork {
         return alike;
     }
 
-    /** Where the mark stands in a layout. */
-    public int markField() {
-        return markField;
-    }
+    /**
+     * All that a configuration may do.
+     *
+     * @param layout of this network
+     */
+    public abstract PackedSteps steps(PackedLayout layout);
 
-    /** For what has been met on a signal. */
-    int bitsOf(int signal) {
-        return bits(messages.get(signal).size());
-    }
-
-    static int bits(int count) {
-        return Integer.SIZE - Integer.numberOfLeadingZeros(Math.max(0, count - 1));
-    }
+    /** A letter in numbers, for {@link PackedSteps#read}. */
+    public abstract int[] letter(Value[] letter);
 
     /**
      * Writes a configuration down.
      *
      * @param into as many words as the layout has
      */
-    public void pack(GlobalState state, PackedLayout layout, long[] into) {
-        Arrays.fill(into, 0);
-        if (state.isError()) {
-            return;
-        }
-        for (int part = 0; part < partField.length; part++) {
-            put(layout, into, partField[part], parts.get(part).number(state.parts().get(part)));
-        }
-        for (int signal = 0; signal < signalField.length; signal++) {
-            if (signalField[signal] >= 0) {
-                int message = number(signal, state.registers().get(signal));
-                put(layout, into, signalField[signal], message);
-            }
-        }
-    }
+    public abstract void pack(GlobalState state, PackedLayout layout, long[] into);
 
-    private static void put(PackedLayout layout, long[] into, int field, int value) {
+    static void put(PackedLayout layout, long[] into, int field, int value) {
         if (!layout.fits(field, value)) {
             throw new TooNarrow();
         }
         layout.put(into, field, value);
     }
 
-    /** The number of what is on a signal. */
-    int number(int signal, Sent sent) {
-        int message = messages.get(signal).number(sent);
-        refuseOpen(signal, message);
-        return message;
-    }
+    public abstract GlobalState unpack(long[] from, PackedLayout layout);
 
-    void refuseOpen(int signal, int message) {
-        if (read[signal] && !(messages.get(signal).get(message) instanceof Sent.Messages)) {
-            throw new CannotPack("what is read is left open");
-        }
-    }
-
-    /** The number of a message from outside, by position of the external input. */
-    public int external(int input, @Nullable Value message) {
-        return number(network.inputs().get(input).signal(), Sent.of(message));
-    }
+    /** That of the configuration of the first part, which has number 0 where a run has ended. */
+    static final List<Configuration> ENDED = List.of(Configuration.ERROR);
 
     /** Whether a run has ended here, in an error. */
-    public boolean hasEnded(long[] from, PackedLayout layout) {
-        return layout.get(from, partField[0]) == 0;
+    public abstract boolean hasEnded(long[] from, PackedLayout layout);
+
+    /** Puts configurations of a layout into the form in which equal parts stand in one order. */
+    public Consumer<long[]> canonical(PackedLayout layout) {
+        return key -> {};
     }
 
-    /** What is shown on a signal that is observed. */
-    public Sent shown(PackedSlices slices, long shown, int signal) {
-        for (int i = 0; i < observed.length; i++) {
-            if (observed[i] == signal) {
-                return messages.get(signal).get(slices.shown(shown, i));
-            }
-        }
-        throw new IllegalArgumentException("signal " + signal + " is not observed");
-    }
-
-    public GlobalState unpack(long[] from, PackedLayout layout) {
-        if (hasEnded(from, layout)) {
-            return ended();
-        }
-        List<List<Configuration>> configurations = new ArrayList<>();
-        for (int part = 0; part < partField.length; part++) {
-            configurations.add(parts.get(part).configuration(layout.get(from, partField[part])));
-        }
-        List<Sent> registers = new ArrayList<>();
-        for (int signal = 0; signal < signalField.length; signal++) {
-            registers.add(
-                    signalField[signal] < 0
-                            ? Sent.SILENCE
-                            : messages.get(signal).get(layout.get(from, signalField[signal])));
-        }
-        return new GlobalState(configurations, registers);
-    }
-
-    private static GlobalState ended() {
-        return new GlobalState(List.of(List.of(Configuration.ERROR)), List.of());
-    }
-
-    /** A number for how a part looks at what comes from outside, in a configuration. */
-    int look(int part, int configuration) {
-        List<PortAbstraction> looks = new ArrayList<>();
-        List<Integer> signals = network.instances().get(part).inputSignals();
-        for (int port = 0; port < signals.size(); port++) {
-            if (isExternal(signals.get(port))) {
-                looks.add(parts.get(part).look(configuration, port));
-            }
-        }
-        return externalLooks.number(looks);
-    }
-
-    boolean isExternal(int signal) {
-        return signal >= 0 && external[signal];
+    /** In words, which parts are equal; empty where none are. */
+    public List<String> equalParts() {
+        return List.of();
     }
 }

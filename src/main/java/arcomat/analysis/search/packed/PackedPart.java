@@ -39,7 +39,7 @@ final class PackedPart {
     /** The signals that it sends on without delay. */
     final int[] instant;
 
-    private final PackedNetwork network;
+    private final SliceNetwork network;
     private final int part;
     private final PartOutcomes rows;
     private final PackedLayout layout;
@@ -61,7 +61,7 @@ final class PackedPart {
      * @param shown where what is shown stands in one word
      */
     PackedPart(
-            PackedNetwork network, int part, PackedLayout layout, int[] bits, PackedLayout shown) {
+            SliceNetwork network, int part, PackedLayout layout, int[] bits, PackedLayout shown) {
         Network.Instance instance = network.network.instances().get(part);
         this.network = network;
         this.rows = network.parts.get(part);

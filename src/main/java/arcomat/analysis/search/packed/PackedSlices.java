@@ -3,6 +3,7 @@ package arcomat.analysis.search.packed;
 import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
 import arcomat.analysis.search.packed.PackedPart.Packed;
+import arcomat.semantics.expression.Sent;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -12,8 +13,8 @@ import java.util.stream.IntStream;
  * choices of the last part change first. Parts that read nothing but what was sent a slice ago are
  * asked once for all inputs, parts without a choice once for all ways.
  */
-public final class PackedSlices {
-    private final PackedNetwork network;
+final class PackedSlices implements PackedSteps {
+    private final SliceNetwork network;
     private final PackedLayout layout;
     private final PackedPart[] parts;
 
@@ -62,7 +63,10 @@ public final class PackedSlices {
     private boolean fresh;
     private boolean ended;
 
-    private PackedSlices(PackedNetwork network, PackedLayout layout) {
+    /**
+     * @param layout that of the network
+     */
+    PackedSlices(SliceNetwork network, PackedLayout layout) {
         this.network = network;
         this.layout = layout;
         int count = network.parts.size();
@@ -104,14 +108,7 @@ public final class PackedSlices {
         return field < 0 ? network.bitsOf(signal) : layout.width(field);
     }
 
-    /**
-     * @param layout that of the network
-     */
-    public static PackedSlices of(PackedNetwork network, PackedLayout layout) {
-        return new PackedSlices(network, layout);
-    }
-
-    /** Takes a configuration, which has not ended. */
+    @Override
     public void begin(long[] configuration) {
         for (int signal = 0; signal < on.length; signal++) {
             boolean delayed = network.signalField[signal] >= 0;
@@ -153,7 +150,7 @@ public final class PackedSlices {
         }
     }
 
-    /** A number for how the configuration that was taken looks at inputs from outside. */
+    @Override
     public long looks() {
         long looks = 0;
         for (int part : externalParts) {
@@ -166,11 +163,7 @@ public final class PackedSlices {
         return looks;
     }
 
-    /**
-     * Takes an input.
-     *
-     * @param messages numbers by position of the external input
-     */
+    @Override
     public void read(int[] messages) {
         System.arraycopy(certainBits, 0, way, 0, words);
         for (int input = 0; input < messages.length; input++) {
@@ -229,7 +222,7 @@ public final class PackedSlices {
         return true;
     }
 
-    /** Goes on to the next way, if there is one. */
+    @Override
     public boolean next() {
         if (fresh) {
             fresh = false;
@@ -273,12 +266,12 @@ public final class PackedSlices {
         send(active[depth], step, choice[depth]);
     }
 
-    /** Whether the run has ended on this way. */
+    @Override
     public boolean hasEnded() {
         return ended;
     }
 
-    /** Writes down where this way leads to. */
+    @Override
     public void after(long[] into) {
         if (ended) {
             Arrays.fill(into, 0);
@@ -287,7 +280,7 @@ public final class PackedSlices {
         }
     }
 
-    /** What is shown on this way, in one number. */
+    @Override
     public long shown() {
         return way[end() + words - 1];
     }
@@ -296,8 +289,13 @@ public final class PackedSlices {
         return activeCount * words;
     }
 
-    /** What is shown, signal by signal of those that are observed. */
-    public int shown(long number, int which) {
-        return shown.get(new long[] {number}, which);
+    @Override
+    public Sent shown(long number, int signal) {
+        for (int i = 0; i < network.observed.length; i++) {
+            if (network.observed[i] == signal) {
+                return network.messages.get(signal).get(shown.get(new long[] {number}, i));
+            }
+        }
+        throw new IllegalArgumentException("signal " + signal + " is not observed");
     }
 }

@@ -2,11 +2,10 @@ package arcomat.analysis.search.product;
 
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.packed.PackedNetwork;
-import arcomat.analysis.search.packed.PackedSlices;
+import arcomat.analysis.search.packed.PackedSteps;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.Steps;
-import arcomat.analysis.search.system.NetworkSystem;
-import arcomat.model.Value;
+import arcomat.analysis.search.system.PackableSystem;
 
 import com.carrotsearch.hppc.LongIntHashMap;
 import com.carrotsearch.hppc.LongObjectHashMap;
@@ -83,7 +82,7 @@ final class PackedAnswers {
     private static final int FEW = 64;
 
     private final Product product;
-    private final NetworkSystem left;
+    private final PackableSystem left;
     private final PackedNetwork network;
     private final BitSet sets = new BitSet();
     private LongIntHashMap sentByShown = new LongIntHashMap();
@@ -99,7 +98,7 @@ final class PackedAnswers {
      *     before that is told
      */
     PackedAnswers(
-            Product product, NetworkSystem left, PackedNetwork network, Runnable whenSeveral) {
+            Product product, PackableSystem left, PackedNetwork network, Runnable whenSeveral) {
         this.product = product;
         this.whenSeveral = whenSeveral;
         this.left = left;
@@ -168,28 +167,20 @@ final class PackedAnswers {
         if (known == null) {
             known = new int[alphabet.size()][];
             for (int letter = 0; letter < known.length; letter++) {
-                known[letter] = numbers(alphabet.letter(letter));
+                known[letter] = network.letter(alphabet.letter(letter));
             }
             letters.put(alphabet, known);
         }
         return known;
     }
 
-    private int[] numbers(@Nullable Value[] letter) {
-        int[] numbers = new int[letter.length];
-        for (int input = 0; input < numbers.length; input++) {
-            numbers[input] = network.external(input, letter[input]);
-        }
-        return numbers;
-    }
-
     /** The number of what is shown on compared outputs. */
-    int sent(PackedSlices slices, long shown) {
+    int sent(PackedSteps steps, long shown) {
         int slot = sentByShown.indexOf(shown);
         if (sentByShown.indexExists(slot)) {
             return sentByShown.indexGet(slot);
         }
-        int sent = left.cube(signal -> network.shown(slices, shown, signal));
+        int sent = left.cube(signal -> steps.shown(shown, signal));
         sentByShown.put(shown, sent);
         return sent;
     }

@@ -6,13 +6,13 @@ import arcomat.analysis.search.packed.PackedLayout;
 import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.packed.PackedNetwork.CannotPack;
 import arcomat.analysis.search.packed.PackedNetwork.TooNarrow;
-import arcomat.analysis.search.packed.PackedSlices;
+import arcomat.analysis.search.packed.PackedSteps;
 import arcomat.analysis.search.packed.PairStore;
 import arcomat.analysis.search.product.PackedAnswers.Answer;
 import arcomat.analysis.search.product.PackedAnswers.Frame;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
-import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.analysis.search.system.PackableSystem;
 import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
@@ -44,7 +44,7 @@ final class PackedInclusion {
             boolean promising) {}
 
     private final Product product;
-    private final NetworkSystem left;
+    private final PackableSystem left;
     private final PackedNetwork network;
     private final Budget budget;
     private final SymbolicTurns symbolic;
@@ -52,7 +52,7 @@ final class PackedInclusion {
     private PairStore pairs;
     private boolean determined = true;
     private PackedLayout layout;
-    private PackedSlices slices;
+    private PackedSteps steps;
 
     /** Gives the configuration that stands for one. */
     private Consumer<long[]> canonical;
@@ -62,7 +62,7 @@ final class PackedInclusion {
 
     private PackedInclusion(
             Product product,
-            NetworkSystem left,
+            PackableSystem left,
             Budget budget,
             SymbolicTurns symbolic,
             PairStore.Maker stores) {
@@ -73,7 +73,7 @@ final class PackedInclusion {
         network = left.packed();
         answers = new PackedAnswers(product, left, network, this::amongSets);
         layout = network.layout();
-        slices = PackedSlices.of(network, layout);
+        steps = network.steps(layout);
         canonical = network.canonical(layout);
         pairs = stores.of(network, layout);
         configuration = new long[layout.words()];
@@ -82,7 +82,7 @@ final class PackedInclusion {
 
     /** Whether it is worth a try. */
     static boolean isFor(Product product) {
-        return product.left instanceof NetworkSystem network
+        return product.left instanceof PackableSystem network
                 && network.canBePacked()
                 && !product.hasFreeData();
     }
@@ -99,7 +99,7 @@ final class PackedInclusion {
             return Optional.empty();
         }
         try {
-            NetworkSystem network = (NetworkSystem) product.left;
+            PackableSystem network = (PackableSystem) product.left;
             return Optional.of(new PackedInclusion(product, network, budget, symbolic, stores));
         } catch (CannotPack unfit) {
             return Optional.empty();
@@ -160,7 +160,7 @@ final class PackedInclusion {
 
     private void use(PackedLayout other) {
         layout = other;
-        slices = PackedSlices.of(network, layout);
+        steps = network.steps(layout);
         canonical = network.canonical(layout);
         answers.forgetShown();
         configuration = new long[layout.words()];
@@ -274,13 +274,13 @@ final class PackedInclusion {
         if (network.hasEnded(configuration, layout)) {
             return;
         }
-        slices.begin(configuration);
-        Frame frame = answers.frame(set, slices.looks(), this::number);
+        steps.begin(configuration);
+        Frame frame = answers.frame(set, steps.looks(), this::number);
         int cost = pairs.cost();
         for (int letter = 0; letter < frame.messages.length; letter++) {
-            slices.read(frame.messages[letter]);
+            steps.read(frame.messages[letter]);
             int more = cost + frame.cost(letter);
-            while (slices.next()) {
+            while (steps.next()) {
                 follow(node, frame, letter, more);
             }
         }
@@ -292,12 +292,12 @@ final class PackedInclusion {
     }
 
     private void follow(int node, Frame frame, int letter, int cost) {
-        int sent = slices.hasEnded() ? OutputCubes.ERROR : answers.sent(slices, slices.shown());
+        int sent = steps.hasEnded() ? OutputCubes.ERROR : answers.sent(steps, steps.shown());
         Answer answer = answers.answer(frame, letter, sent);
         for (int i = 0; i < answer.next().length; i++) {
             int next = answer.next()[i];
             int total = cost + answer.messages()[i];
-            slices.after(key);
+            steps.after(key);
             canonical.accept(key);
             reach(node, next, total);
             if (next == PackedAnswers.FAILS) {

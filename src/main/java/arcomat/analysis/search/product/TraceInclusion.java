@@ -10,6 +10,7 @@ import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.analysis.search.system.PackableSystem;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -170,7 +171,9 @@ public final class TraceInclusion {
         if (!PackedInclusion.isFor(product) || !budget.takes(Shortcut.PACKED)) {
             return Optional.empty();
         }
-        NetworkSystem whole = (NetworkSystem) product.left;
+        if (!(product.left instanceof NetworkSystem whole) || !whole.worksInSlices()) {
+            return packed(product, (PackableSystem) product.left, state -> state);
+        }
         NetworkSystem.Smaller smaller = whole.smaller();
         leftOut = smaller.network().leftOut();
         Optional<Result> result =
@@ -185,7 +188,7 @@ public final class TraceInclusion {
      * @param image what a configuration of the whole is in the question that is asked instead
      */
     private Optional<Result> packed(
-            Product asked, NetworkSystem whole, UnaryOperator<GlobalState> image) {
+            Product asked, PackableSystem whole, UnaryOperator<GlobalState> image) {
         Optional<PackedInclusion> search = PackedInclusion.of(asked, budget, symbolic, stores);
         if (search.isEmpty()) {
             return Optional.empty();

@@ -1,16 +1,21 @@
 package arcomat.analysis.search.system;
 
+import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.letter.LatchedPorts;
 import arcomat.analysis.search.letter.LetterClasses;
+import arcomat.analysis.search.packed.PackedNetwork;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.smt.DataStep;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.InputAbstraction;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntFunction;
 
 /**
  * A system as its environment really drives it: a latched port that has got a message holds one
@@ -19,7 +24,7 @@ import java.util.Optional;
  *
  * <p>Remembers a bit for each latched port that holds something.
  */
-public final class DrivenSystem extends HistorySystem<Long> {
+public final class DrivenSystem extends HistorySystem<Long> implements PackableSystem {
     private final LatchedPorts latched;
     private final Map<InputAbstraction, LetterClasses> classes = new HashMap<>();
 
@@ -59,6 +64,45 @@ public final class DrivenSystem extends HistorySystem<Long> {
     @Override
     public Optional<List<DataStep>> dataSteps(int configuration) {
         return system.dataSteps(get(configuration).inner());
+    }
+
+    @Override
+    public boolean canBePacked() {
+        return system instanceof NetworkSystem network && network.canBePacked();
+    }
+
+    @Override
+    public PackedNetwork packed() {
+        return network().packed(latched);
+    }
+
+    private NetworkSystem network() {
+        return (NetworkSystem) system;
+    }
+
+    /** What is remembered is one register more. */
+    @Override
+    public GlobalState state(int configuration) {
+        State<Long> state = get(configuration);
+        GlobalState inner = network().state(state.inner());
+        List<Sent> registers = new ArrayList<>(inner.registers());
+        registers.add(Sent.of(new Value.IntegerValue(state.memory())));
+        return new GlobalState(inner.parts(), registers, inner.problem());
+    }
+
+    @Override
+    public int configuration(GlobalState state) {
+        int last = state.registers().size() - 1;
+        Sent.Messages memory = (Sent.Messages) state.registers().get(last);
+        Value.IntegerValue held = (Value.IntegerValue) memory.values().get(0);
+        List<Sent> registers = state.registers().subList(0, last);
+        GlobalState inner = new GlobalState(state.parts(), registers, state.problem());
+        return number(network().configuration(inner), held.value());
+    }
+
+    @Override
+    public int cube(IntFunction<Sent> shown) {
+        return network().cube(shown);
     }
 
     @Override

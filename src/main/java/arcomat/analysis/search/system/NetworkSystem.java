@@ -7,9 +7,12 @@ import arcomat.analysis.search.composition.EventUnfolding;
 import arcomat.analysis.search.composition.GlobalState;
 import arcomat.analysis.search.composition.SliceUnfolding;
 import arcomat.analysis.search.composition.Unfolding;
+import arcomat.analysis.search.letter.LatchedPorts;
 import arcomat.analysis.search.letter.Representatives;
+import arcomat.analysis.search.packed.EventNetwork;
 import arcomat.analysis.search.packed.NetworkTables;
 import arcomat.analysis.search.packed.PackedNetwork;
+import arcomat.analysis.search.packed.SliceNetwork;
 import arcomat.analysis.search.reduction.EqualParts;
 import arcomat.analysis.search.reduction.SmallerNetwork;
 import arcomat.analysis.search.step.OutputCubes;
@@ -41,7 +44,7 @@ import java.util.stream.IntStream;
  * A composition of parts, unfolded as far as a search asks for it. Connections that are no ports of
  * the whole are hidden.
  */
-public final class NetworkSystem extends ModelSystem<GlobalState> {
+public final class NetworkSystem extends ModelSystem<GlobalState> implements PackableSystem {
     /**
      * A system without what a question cannot notice.
      *
@@ -131,33 +134,57 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
         return twins;
     }
 
-    /** Whether its configurations can be packed: not those of events, which wait in queues. */
+    @Override
     public boolean canBePacked() {
-        return worksInSlices();
+        return true;
     }
 
-    private boolean worksInSlices() {
+    /**
+     * Whether it may be asked without some of its parts, or as bits: events are worked off in the
+     * order of all parts, so what is true of slices is not of these.
+     */
+    public boolean worksInSlices() {
         return profile() == Component.Profile.TIME_SYNCHRONOUS;
     }
 
-    /** The same system without what cannot be noticed on compared outputs. */
+    /** The same system without what cannot be noticed on compared outputs; where it has slices. */
     public Smaller smaller() {
         SmallerNetwork smaller = SmallerNetwork.of(network, comparedSignals(), budget);
         return new Smaller(new NetworkSystem(smaller.network(), compared, cubes, budget), smaller);
     }
 
-    /** Its network in numbers, from which this system's configurations can be told. */
+    @Override
     public PackedNetwork packed() {
+        return packed(new LatchedPorts(List.of()));
+    }
+
+    /**
+     * As {@link #packed()}.
+     *
+     * @param driven latched inputs that never lose what they hold
+     */
+    PackedNetwork packed(LatchedPorts driven) {
         if (unfolding.behaviours().size() > MOST_PACKED) {
             throw new PackedNetwork.CannotPack("too many parts");
         }
-        return new PackedNetwork(
+        return worksInSlices() ? sliced(equalParts()) : events(driven);
+    }
+
+    private SliceNetwork sliced(List<EqualParts> equal) {
+        return new SliceNetwork(
                 network,
                 unfolding.behaviours(),
                 comparedSignals(),
-                equalParts(),
+                equal,
                 budget::insist,
                 budget::takes);
+    }
+
+    private EventNetwork events(LatchedPorts driven) {
+        if (own().any()) {
+            throw new PackedNetwork.CannotPack("data are only passed on");
+        }
+        return new EventNetwork(network, unfolding.behaviours(), compared, driven, budget);
     }
 
     /**
@@ -170,16 +197,8 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
      */
     public NetworkTables tables(
             List<List<@Nullable Value>> messages, int[] starts, int most, int rules) {
-        PackedNetwork packed =
-                new PackedNetwork(
-                        network,
-                        unfolding.behaviours(),
-                        comparedSignals(),
-                        List.of(),
-                        budget::insist,
-                        budget::takes);
         List<GlobalState> states = IntStream.of(starts).mapToObj(this::state).toList();
-        return NetworkTables.of(packed, messages, states, most, rules);
+        return NetworkTables.of(sliced(List.of()), messages, states, most, rules);
     }
 
     /** Words for its parts and signals. */
@@ -218,20 +237,17 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
                 .toArray();
     }
 
-    /** The number of a configuration. */
+    @Override
     public int configuration(GlobalState state) {
         return number(state);
     }
 
+    @Override
     public GlobalState state(int configuration) {
         return get(configuration);
     }
 
-    /**
-     * The number of what compared ports show.
-     *
-     * @param shown what is sent on the signal of one of them
-     */
+    @Override
     public int cube(IntFunction<Sent> shown) {
         List<Sent> sent = new ArrayList<>(Collections.nCopies(outputs().size(), Sent.SILENCE));
         observed()
@@ -251,10 +267,15 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
         if (state.isError()) {
             return InputAbstraction.none(inputs().size());
         }
-        own = own == null ? new DataIndependence(this, this, (int) observed().count()) : own;
+        DataIndependence own = own();
         Representatives representatives =
                 own.any() ? own.representatives(own.held(configuration)) : Representatives.NONE;
         return unfolding.abstraction(state, representatives);
+    }
+
+    private DataIndependence own() {
+        own = own == null ? new DataIndependence(this, this, (int) observed().count()) : own;
+        return own;
     }
 
     @Override
