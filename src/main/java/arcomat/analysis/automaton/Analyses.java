@@ -4,6 +4,7 @@ import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.automaton.exploration.Solving;
+import arcomat.analysis.automaton.induction.Strengthening;
 import arcomat.analysis.automaton.trap.TrapSearch;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.refinement.Promise;
@@ -73,7 +74,8 @@ public final class Analyses {
                 () -> {
                     exploration.run();
                     Knowledge solved = new Solving(subject, watching, budget).after(exploration);
-                    Knowledge known = solved.with(TrapSearch.of(solved, budget));
+                    Knowledge surer = Strengthening.of(solved, watching, budget);
+                    Knowledge known = surer.with(TrapSearch.of(surer, budget));
                     List<Finding> findings =
                             analyses.stream()
                                     .flatMap(each -> each.findings(known).stream())

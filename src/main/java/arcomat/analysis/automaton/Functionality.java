@@ -3,6 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.exploration.Exploration;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Solving;
+import arcomat.analysis.automaton.induction.Strengthening;
 import arcomat.analysis.reachability.RunProperty;
 import arcomat.analysis.reachability.RunProperty.Difference;
 import arcomat.analysis.reachability.Subject;
@@ -95,7 +96,8 @@ public final class Functionality {
         }
         Exploration exploration = new Exploration(subject, seen -> {}, budget);
         exploration.run();
-        Knowledge known = new Solving(subject, seen -> {}, budget).after(exploration);
+        Knowledge solved = new Solving(subject, seen -> {}, budget).after(exploration);
+        Knowledge known = Strengthening.of(solved, seen -> {}, budget);
         return Stream.of(unhandled(), wrong(), together())
                 .flatMap(each -> each)
                 .filter(doubt -> !known.neverHappens(doubt.property()))

@@ -53,6 +53,7 @@ public final class SymbolicSearch<T> {
     /**
      * @param kinds of solvers; the next one is asked what stays open where the one before could not
      *     say all exactly
+     * @param facts what is known of configurations that runs reach: induction begins with no others
      * @param confirmed whether the automaton itself agrees with a run that was found
      * @param stop asked now and then; what is open then stays open
      * @return for each property what is known about it
@@ -61,13 +62,14 @@ public final class SymbolicSearch<T> {
             Subject subject,
             Collection<RunProperty> asked,
             List<Logic.Kind<?>> kinds,
+            StateFacts facts,
             BiPredicate<RunProperty, Run> confirmed,
             BooleanSupplier stop) {
         Map<RunProperty, Reachability> answers = new LinkedHashMap<>();
         Collection<RunProperty> open = asked;
         boolean exact = false;
         for (int i = 0; i < kinds.size() && !open.isEmpty() && !exact; i++) {
-            SymbolicSearch<?> search = of(subject, open, kinds.get(i), confirmed, stop);
+            SymbolicSearch<?> search = of(subject, open, kinds.get(i), facts, confirmed, stop);
             search.run();
             answers.putAll(search.answers);
             exact = search.isExact();
@@ -80,12 +82,16 @@ public final class SymbolicSearch<T> {
             Subject subject,
             Collection<RunProperty> asked,
             Logic.Kind<T> kind,
+            StateFacts facts,
             BiPredicate<RunProperty, Run> confirmed,
             BooleanSupplier stop) {
+        Logic<T> logic = kind.about(subject, stop);
+        Unrolling<T> fromAnywhere = new Unrolling<>(subject, false, logic);
+        fromAnywhere.exclude(facts.contradicted(logic));
         SymbolicSearch<T> search =
                 new SymbolicSearch<>(
                         new Unrolling<>(subject, true, kind.about(subject, stop)),
-                        new Unrolling<>(subject, false, kind.about(subject, stop)),
+                        fromAnywhere,
                         asked,
                         confirmed,
                         stop);

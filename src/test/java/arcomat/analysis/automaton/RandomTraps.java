@@ -72,7 +72,18 @@ final class RandomTraps {
 
     /** The automaton, to be analyzed. */
     static Subject subject(long seed, boolean wide) {
-        SourceFile source = new SourceFile("Random.arc", new RandomTraps(seed, wide).text());
+        return subject(new RandomTraps(seed, wide).text());
+    }
+
+    /** The same with a second beginning in the same state. */
+    static Subject ofTwoBeginnings(long seed) {
+        String first = "initial s0;";
+        String text = new RandomTraps(seed, false).text();
+        return subject(text.replace(first, first + " initial s0 / {v = 3};"));
+    }
+
+    private static Subject subject(String text) {
+        SourceFile source = new SourceFile("Random.arc", text);
         Component component = ReadModels.model(source).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         return Subject.of(component, automaton, List.of());

@@ -51,6 +51,19 @@ public record Knowledge(
                 && !shown.containsAll(new RunProperties(subject).all());
     }
 
+    /** What no solver could tell, whether it matters or not. */
+    public List<RunProperty> unknown() {
+        return answers.keySet().stream()
+                .filter(each -> answers.get(each) instanceof Reachability.Unknown)
+                .filter(each -> !happens(each))
+                .toList();
+    }
+
+    /** Whether something stays open that matters. */
+    public boolean isOpen() {
+        return answers.keySet().stream().anyMatch(this::isOpen);
+    }
+
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
     private boolean isOpen(RunProperty property) {
         if (isCutOff(property)

@@ -4,6 +4,7 @@ import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.StateFacts;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.search.Budget;
@@ -25,7 +26,8 @@ public final class Solving {
     /** How often the solver may ask whether to go on; the same on every machine. */
     private static final long PATIENCE = 30_000;
 
-    private static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
+    /** In the order in which they are asked. */
+    public static final List<Logic.Kind<?>> SOLVERS = List.of(LinearLogic.KIND, BitLogic.KIND);
 
     private final Subject subject;
     private final Consumer<Situation> watching;
@@ -40,19 +42,33 @@ public final class Solving {
         this.confirmation = new Confirmation(subject, Stepper.of(subject));
     }
 
+    /** Puts what trying has left open. */
     public Knowledge after(Exploration explored) {
         List<RunProperty> open = open(explored);
-        Map<RunProperty, Reachability> answers = Map.of();
-        if (!open.isEmpty() && open.size() <= MOST_QUESTIONS) {
-            answers =
-                    SymbolicSearch.answer(
-                            subject,
-                            open,
-                            SOLVERS,
-                            this::confirm,
-                            budget.patient(PATIENCE)::isSpent);
-        }
-        Set<RunProperty> shown = new HashSet<>(explored.shown());
+        boolean few = open.size() <= MOST_QUESTIONS;
+        return knowledge(
+                explored, explored.shown(), few ? answers(open, StateFacts.NONE) : Map.of());
+    }
+
+    /**
+     * Puts what is still open once more.
+     *
+     * @param facts what is known of configurations that runs reach
+     */
+    public Knowledge again(Knowledge known, StateFacts facts) {
+        Map<RunProperty, Reachability> answers = new LinkedHashMap<>(known.answers());
+        answers.putAll(answers(known.unknown(), facts));
+        return knowledge(known.explored(), known.shown(), answers);
+    }
+
+    private Map<RunProperty, Reachability> answers(List<RunProperty> open, StateFacts facts) {
+        return SymbolicSearch.answer(
+                subject, open, SOLVERS, facts, this::confirm, budget.patient(PATIENCE)::isSpent);
+    }
+
+    private Knowledge knowledge(
+            Exploration explored, Set<RunProperty> before, Map<RunProperty, Reachability> answers) {
+        Set<RunProperty> shown = new HashSet<>(before);
         found.values().forEach(situation -> shown.addAll(situation.shows()));
         found.values().forEach(watching);
         return new Knowledge(subject, explored, shown, answers);

@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.automaton.induction.Move;
 import arcomat.model.Expression;
 
 import java.util.List;

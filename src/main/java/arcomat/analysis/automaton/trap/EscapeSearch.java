@@ -5,6 +5,7 @@ import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.automaton.exploration.Stepper;
 import arcomat.analysis.automaton.exploration.SureSending;
 import arcomat.analysis.automaton.exploration.Visit;
+import arcomat.analysis.automaton.induction.Move;
 import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability.Place;

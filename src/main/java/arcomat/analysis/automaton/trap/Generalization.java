@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.automaton.induction.Isolation;
 import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;

@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.automaton.induction.Region;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.SymbolicTransitions;
 import arcomat.model.Expression;

@@ -1,5 +1,7 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.automaton.induction.Region;
+import arcomat.analysis.reachability.StateFacts;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
 import arcomat.model.ExpressionText;
@@ -8,10 +10,8 @@ import arcomat.model.Port;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -23,7 +23,7 @@ final class Insight {
     private final Map<Integer, Map<String, EscapePlan>> plans = new TreeMap<>();
 
     /** What holds in each state that may be reached. */
-    final Map<Integer, List<Expression>> facts = new TreeMap<>();
+    private StateFacts facts;
 
     /** Something can be sent from there on, but for the traps. */
     final Set<Integer> settled = new TreeSet<>();
@@ -35,12 +35,14 @@ final class Insight {
 
     Insight(Subject subject, Set<Integer> states) {
         this.subject = subject;
-        states.forEach(state -> facts.put(state, List.of()));
+        facts =
+                new StateFacts(
+                        states.stream().collect(Collectors.toMap(each -> each, each -> List.of())));
     }
 
     /** The states about which it is open whether something can be sent. */
     Set<Integer> open() {
-        Set<Integer> open = new TreeSet<>(facts.keySet());
+        Set<Integer> open = new TreeSet<>(facts.byState().keySet());
         open.removeAll(settled);
         return open;
     }
@@ -56,22 +58,13 @@ final class Insight {
         plans.computeIfAbsent(plan.source(), each -> new LinkedHashMap<>()).putIfAbsent(kind, plan);
     }
 
-    /** What else holds in each state; states without facts are never reached. */
-    void learn(Map<Integer, List<Expression>> more) {
-        facts.keySet().retainAll(more.keySet());
-        more.forEach(
-                (state, all) ->
-                        facts.computeIfPresent(
-                                state,
-                                (each, before) -> {
-                                    Set<Expression> both = new LinkedHashSet<>(before);
-                                    both.addAll(all);
-                                    return List.copyOf(both);
-                                }));
+    StateFacts facts() {
+        return facts;
     }
 
-    List<Expression> known(int state) {
-        return Objects.requireNonNull(facts.get(state));
+    /** What else holds in each state. */
+    void learn(StateFacts more) {
+        facts = facts.and(more);
     }
 
     /** The latched ports that have no message in some step of a plan. */

@@ -1,10 +1,13 @@
 package arcomat.analysis.automaton.trap;
 
+import arcomat.analysis.automaton.induction.CandidateConditions;
+import arcomat.analysis.automaton.induction.InductiveConditions;
+import arcomat.analysis.automaton.induction.Move;
+import arcomat.analysis.automaton.induction.Region;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
 import arcomat.model.Port;
-import arcomat.semantics.automaton.StepRelation.Start;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -68,12 +71,8 @@ final class Settling<T> {
 
     void run() {
         insight.stuck.clear();
-        insight.learn(
-                induction.from(
-                        subject.relation().starts().stream().map(Start::configuration).toList(),
-                        List.of(),
-                        candidates.all()));
-        induction.know(insight.facts);
+        insight.learn(induction.ofRuns(candidates.all()));
+        induction.know(insight.facts());
         boolean goesOn = true;
         while (goesOn && !insight.open().isEmpty()) {
             goesOn = settleOne() || settleByMeasure();
@@ -124,7 +123,7 @@ final class Settling<T> {
             Logic.Answer answer =
                     question.hasOther(
                             state,
-                            insight.known(state),
+                            insight.facts().in(state),
                             insight.traps,
                             possibilities(state, goals),
                             example::add);

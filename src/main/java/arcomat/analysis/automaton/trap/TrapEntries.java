@@ -5,11 +5,14 @@ import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.Stepper;
 import arcomat.analysis.automaton.exploration.Traps;
 import arcomat.analysis.automaton.exploration.Visit;
+import arcomat.analysis.automaton.induction.CandidateConditions;
+import arcomat.analysis.automaton.induction.InductiveConditions;
+import arcomat.analysis.automaton.induction.Move;
+import arcomat.analysis.automaton.induction.Region;
 import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability.Run;
 import arcomat.analysis.reachability.Subject;
-import arcomat.analysis.reachability.SymbolicTransitions;
 import arcomat.analysis.reachability.Unrolling;
 import arcomat.analysis.reachability.Unrolling.StatePredicate;
 import arcomat.analysis.smt.LinearLogic;
@@ -119,8 +122,8 @@ final class TrapEntries {
         Logic<T> other = kind.about(subject, stop);
         Unrolling<T> fromStart = new Unrolling<>(subject, true, logic);
         Unrolling<T> fromAnywhere = new Unrolling<>(subject, false, other);
-        fromStart.exclude(there -> contradictsFacts(there, logic));
-        fromAnywhere.exclude(there -> contradictsFacts(there, other));
+        fromStart.exclude(insight.facts().contradicted(logic));
+        fromAnywhere.exclude(insight.facts().contradicted(other));
         for (int length = 0; length <= LONGEST; length++) {
             fromStart.extend();
             fromAnywhere.extend();
@@ -142,19 +145,6 @@ final class TrapEntries {
 
     private static <T> StatePredicate<T> in(List<Region> group, Logic<T> logic) {
         return there -> logic.or(group.stream().map(each -> each.at(there, logic)).toList());
-    }
-
-    /** That a configuration is none that may be reached. */
-    private <T> T contradictsFacts(SymbolicTransitions<T> there, Logic<T> logic) {
-        List<T> possible = new ArrayList<>();
-        insight.facts.forEach(
-                (state, all) -> {
-                    List<T> here = new ArrayList<>();
-                    here.add(there.instant().isIn(state));
-                    all.forEach(each -> here.add(there.holds(each)));
-                    possible.add(logic.and(here));
-                });
-        return logic.not(logic.or(possible));
     }
 
     private Optional<Visit> confirmed(Run run, List<Region> group) {

@@ -3,6 +3,7 @@ package arcomat.analysis.automaton.trap;
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.SureSending;
 import arcomat.analysis.automaton.exploration.Traps;
+import arcomat.analysis.automaton.induction.Move;
 import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.RunProperty;

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton.trap;
+package arcomat.analysis.automaton.induction;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
@@ -15,10 +15,10 @@ import java.util.Optional;
  * v}. Sums and differences of whole numbers are brought to the other side, which is right where
  * they wrap around, too.
  */
-record Isolation(Port port) {
+public record Isolation(Port port) {
 
     /** In the order in which they are written. */
-    List<Expression> terms(Expression condition) {
+    public List<Expression> terms(Expression condition) {
         List<Expression> terms = new ArrayList<>();
         condition.visit(
                 part -> {

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton.trap;
+package arcomat.analysis.automaton.induction;
 
 import arcomat.analysis.reachability.Bounds;
 import arcomat.analysis.reachability.Hazard;
@@ -25,7 +25,7 @@ import java.util.TreeSet;
  * Conditions over the variables of which some may always be so in a state: what guards ask, and
  * comparisons with numbers that are mentioned somewhere.
  */
-final class CandidateConditions {
+public final class CandidateConditions {
     private static final int MOST_ATOMS = 40;
     private static final int MOST_NUMBERS = 10;
     private static final int MOST_PAIRED = 5;
@@ -33,13 +33,13 @@ final class CandidateConditions {
     private final Subject subject;
     private final List<Move> moves;
 
-    CandidateConditions(Subject subject, List<Move> moves) {
+    public CandidateConditions(Subject subject, List<Move> moves) {
         this.subject = subject;
         this.moves = moves;
     }
 
     /** What guards and effects ask of the variables alone, and the contrary. */
-    List<Expression> asked() {
+    public List<Expression> asked() {
         Set<Expression> atoms = new LinkedHashSet<>();
         for (Move move : moves) {
             collect(move.goesOn(), atoms);
@@ -136,7 +136,7 @@ final class CandidateConditions {
     }
 
     /** And comparisons with each other, and with what is mentioned. */
-    List<Expression> all() {
+    public List<Expression> all() {
         Set<Expression> all = new LinkedHashSet<>(asked());
         Bounds.candidates(subject).forEach(each -> all.add(Formulas.not(each)));
         List<Variable> variables = subject.automaton().variables();
@@ -213,7 +213,7 @@ final class CandidateConditions {
     }
 
     /** That variables are not beyond their present values; what is no number stays none. */
-    List<Expression> near(List<Value> present) {
+    public List<Expression> near(List<Value> present) {
         List<Expression> near = new ArrayList<>();
         List<Variable> variables = subject.automaton().variables();
         for (int i = 0; i < present.size(); i++) {

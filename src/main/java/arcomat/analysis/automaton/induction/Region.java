@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton.trap;
+package arcomat.analysis.automaton.induction;
 
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.SymbolicTransitions;
@@ -19,8 +19,8 @@ import java.util.TreeMap;
  * @param conditions of each of its states, by index: all hold there, over the variables
  * @param latched the ports that have had a message
  */
-record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
-    Region {
+public record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
+    public Region {
         Map<Integer, List<Expression>> sorted = new TreeMap<>();
         conditions.forEach((state, each) -> sorted.put(state, List.copyOf(each)));
         conditions = sorted;
@@ -28,19 +28,19 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
     }
 
     /** What has to be so in a state; that some ports have had a message is left aside. */
-    Expression in(int state) {
+    public Expression in(int state) {
         List<Expression> all = conditions.get(state);
         return all == null ? Formulas.FALSE : all.stream().reduce(Formulas.TRUE, Formulas::and);
     }
 
     /** Whether the configuration at a point of a run is one of them. */
-    <T> T at(SymbolicTransitions<T> there, Logic<T> logic) {
+    public <T> T at(SymbolicTransitions<T> there, Logic<T> logic) {
         return logic.or(
                 conditions.keySet().stream().map(state -> at(state, there, logic)).toList());
     }
 
     /** Whether it is one in a state. */
-    <T> T at(int state, SymbolicTransitions<T> there, Logic<T> logic) {
+    public <T> T at(int state, SymbolicTransitions<T> there, Logic<T> logic) {
         List<Expression> all = conditions.get(state);
         if (all == null) {
             return logic.of(false);
@@ -53,7 +53,7 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
     }
 
     /** A larger one: without a condition in a state. */
-    Region without(Expression condition, int state) {
+    public Region without(Expression condition, int state) {
         Map<Integer, List<Expression>> fewer = new TreeMap<>(conditions);
         fewer.computeIfPresent(
                 state, (each, all) -> all.stream().filter(one -> one != condition).toList());
@@ -61,12 +61,12 @@ record Region(Map<Integer, List<Expression>> conditions, Set<Port> latched) {
     }
 
     /** The same configurations, whichever ports have had a message. */
-    Region withoutLatched() {
+    public Region withoutLatched() {
         return new Region(conditions, Set.of());
     }
 
     /** Whether two have a state in common. */
-    boolean meets(Region other) {
+    public boolean meets(Region other) {
         return conditions.keySet().stream().anyMatch(other.conditions::containsKey);
     }
 }

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton.trap;
+package arcomat.analysis.automaton.induction;
 
 import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.automaton.exploration.SureSending;
@@ -29,7 +29,7 @@ import java.util.stream.IntStream;
  * @param assigned what variables are afterwards, by name; others stay
  * @param dead whether no run takes it
  */
-record Move(
+public record Move(
         int transition,
         int source,
         int target,
@@ -39,7 +39,7 @@ record Move(
         boolean dead) {
 
     /** Of each transition, in text order. */
-    static List<Move> all(Knowledge known) {
+    public static List<Move> all(Knowledge known) {
         Replacement names = names(known.subject());
         return IntStream.range(0, known.subject().automaton().transitions().size())
                 .mapToObj(each -> of(each, names, known))

@@ -1,7 +1,8 @@
-package arcomat.analysis.automaton.trap;
+package arcomat.analysis.automaton.induction;
 
 import arcomat.analysis.reachability.Instant;
 import arcomat.analysis.reachability.Logic;
+import arcomat.analysis.reachability.StateFacts;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicTransitions;
 import arcomat.model.Expression;
@@ -9,6 +10,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation.Start;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -29,7 +31,7 @@ import java.util.stream.Stream;
  *
  * @param <T> formulas of the solver
  */
-final class InductiveConditions<T> {
+public final class InductiveConditions<T> {
     private final Subject subject;
     private final Logic<T> logic;
     private final List<Move> moves;
@@ -38,9 +40,9 @@ final class InductiveConditions<T> {
     private final Map<Move, T> steps = new HashMap<>();
     private final Map<Move, T> escapes = new HashMap<>();
     private final Map<Expression, BiPredicate<Configuration, Input>> tests = new HashMap<>();
-    private final Map<Integer, List<Expression>> known = new HashMap<>();
+    private StateFacts known = StateFacts.NONE;
 
-    InductiveConditions(Subject subject, List<Move> moves, Logic<T> logic) {
+    public InductiveConditions(Subject subject, List<Move> moves, Logic<T> logic) {
         this.subject = subject;
         this.logic = logic;
         this.moves = moves;
@@ -52,13 +54,20 @@ final class InductiveConditions<T> {
     }
 
     /** Whether nothing so far had to be replaced by something that may be anything. */
-    boolean isExact() {
+    public boolean isExact() {
         return logic.isExact();
     }
 
     /** These hold in each state whenever a run is there. */
-    void know(Map<Integer, List<Expression>> conditions) {
-        conditions.forEach((state, all) -> known.put(state, all));
+    public void know(StateFacts facts) {
+        known = facts;
+    }
+
+    /** What holds in each state whenever a run is there. */
+    public StateFacts ofRuns(List<Expression> candidates) {
+        List<Configuration> beginnings =
+                subject.relation().starts().stream().map(Start::configuration).toList();
+        return new StateFacts(from(beginnings, List.of(), candidates));
     }
 
     /**
@@ -66,7 +75,7 @@ final class InductiveConditions<T> {
      *
      * @param latched ports that have had a message
      */
-    Map<Integer, List<Expression>> from(
+    public Map<Integer, List<Expression>> from(
             Collection<Configuration> beginnings,
             Collection<Port> latched,
             List<Expression> candidates) {
@@ -132,9 +141,7 @@ final class InductiveConditions<T> {
         List<T> assumed = new ArrayList<>();
         assumed.add(before.instant().isIn(state));
         latched.forEach(port -> assumed.add(before.isLatched(port)));
-        Stream.concat(
-                        Objects.requireNonNull(holding.get(state)).stream(),
-                        known.getOrDefault(state, List.of()).stream())
+        Stream.concat(Objects.requireNonNull(holding.get(state)).stream(), known.in(state).stream())
                 .forEach(each -> assumed.add(before.holds(each)));
         return assumed;
     }
@@ -148,13 +155,13 @@ final class InductiveConditions<T> {
     }
 
     /** Whether a condition over the variables is true in a configuration. */
-    boolean holds(Expression condition, Configuration configuration) {
+    public boolean holds(Expression condition, Configuration configuration) {
         return tests.computeIfAbsent(condition, subject.relation()::condition)
                 .test(configuration, Input.of(new Value[subject.component().inputs().size()]));
     }
 
     /** Whether conditions that transitions keep, as those here, let nothing be sent or go wrong. */
-    boolean isTrap(Region region) {
+    public boolean isTrap(Region region) {
         return region.conditions().keySet().stream().allMatch(state -> isSilent(state, region));
     }
 
@@ -187,7 +194,7 @@ final class InductiveConditions<T> {
     }
 
     /** Whether a region that is larger in one state only than a trap is one as well. */
-    boolean isTrapAlso(int state, Region larger) {
+    public boolean isTrapAlso(int state, Region larger) {
         return isSilent(state, larger) && keeps(state, larger);
     }
 }
