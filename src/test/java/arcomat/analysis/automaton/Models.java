@@ -6,6 +6,7 @@ import arcomat.analysis.bits.BitLogic;
 import arcomat.analysis.reachability.Logic;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.RunProperty;
+import arcomat.analysis.reachability.StateFacts;
 import arcomat.analysis.reachability.Subject;
 import arcomat.analysis.reachability.SymbolicSearch;
 import arcomat.analysis.refinement.Promise;
@@ -48,6 +49,7 @@ final class Models {
                 subject,
                 asked,
                 solvers,
+                StateFacts.NONE,
                 (question, run) -> confirmation.of(question, run).isPresent(),
                 () -> false);
     }
