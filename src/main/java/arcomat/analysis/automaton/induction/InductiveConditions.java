@@ -155,7 +155,7 @@ public final class InductiveConditions<T> {
     }
 
     /** Whether a condition over the variables is true in a configuration. */
-    public boolean holds(Expression condition, Configuration configuration) {
+    private boolean holds(Expression condition, Configuration configuration) {
         return tests.computeIfAbsent(condition, subject.relation()::condition)
                 .test(configuration, Input.of(new Value[subject.component().inputs().size()]));
     }
