@@ -14,7 +14,9 @@ import java.util.regex.Pattern;
 final class SpinVerifier {
     private static final Pattern STORED = Pattern.compile("(\\d+) states, stored");
 
-    private static final List<String> DEPTHS = List.of("-m100000", "-m2000000", "-m40000000");
+    /** The least that suffices is taken: a longer stack takes more memory, and time to get it. */
+    private static final List<String> DEPTHS =
+            List.of("-m100000", "-m2000000", "-m4000000", "-m8000000", "-m16000000", "-m40000000");
 
     private SpinVerifier() {}
 
