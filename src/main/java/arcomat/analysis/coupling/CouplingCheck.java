@@ -143,17 +143,17 @@ public final class CouplingCheck {
     private Optional<String> unanswered(Slice slice, PossibleStep mine) {
         SliceSolver solver = solver(slice);
         solver.claim(mine.when());
-        if (mine.target() == PossibleStep.CHAOS) {
-            return solver.find()
-                    .map(row -> "the left side may fall into chaos out of " + place(slice, row));
-        }
         for (PossibleStep theirs : slice.theirs()) {
             solver.claimNot(solver.and(solver.answers(mine, theirs), goesOn(solver, mine, theirs)));
         }
         return solver.find().map(row -> words(slice, mine, row));
     }
 
+    /** What the left side does in chaos, only chaos allows for sure: it does not err there. */
     private int goesOn(SliceSolver solver, PossibleStep mine, PossibleStep theirs) {
+        if (mine.target() == PossibleStep.CHAOS) {
+            return solver.truth(theirs.target() == PossibleStep.CHAOS);
+        }
         if (theirs.target() == PossibleStep.CHAOS) {
             return solver.truth(coupling.endsInChaos(theirs));
         }
@@ -165,6 +165,9 @@ public final class CouplingCheck {
 
     /** Of a step that is not answered, what is wrong, by the last possible answer. */
     private String words(Slice slice, PossibleStep mine, Value[] row) {
+        if (mine.target() == PossibleStep.CHAOS) {
+            return "the left side may fall into chaos out of " + place(slice, row);
+        }
         String problem = "is forbidden";
         for (PossibleStep theirs : slice.theirs()) {
             if (isAnswer(slice, mine, theirs, row)) {

@@ -31,6 +31,8 @@ final class CoupledRefinement {
 
     private static final String NOTHING_FOUND = "no conditions over variables were found: ";
 
+    private static final String NOT_EXCLUDED = "those that were tried do not exclude that ";
+
     private CoupledRefinement() {}
 
     /** Whether variables have so many values that a search of all may not end. */
@@ -92,13 +94,14 @@ final class CoupledRefinement {
     private static Attempt searched(Promise left, Promise right, Budget budget) {
         Coupling coupling = coupling(left, right);
         CouplingSearch search = CouplingSearch.of(coupling, budget::isSpent);
-        return proves(coupling, search.proposal(), budget)
+        Optional<String> problem = problem(coupling, search.proposal(), budget);
+        return problem.isEmpty()
                 ? new Attempt(Optional.of(() -> told(coupling, search, budget)), Optional.empty())
-                : Attempt.without(search.blamed());
+                : Attempt.without(search.blamed().or(() -> problem.map(NOT_EXCLUDED::concat)));
     }
 
-    private static boolean proves(Coupling coupling, List<Entry> entries, Budget budget) {
-        return CouplingCheck.problem(coupling, entries, budget::isSpent).isEmpty();
+    private static Optional<String> problem(Coupling coupling, List<Entry> entries, Budget budget) {
+        return CouplingCheck.problem(coupling, entries, budget::isSpent);
     }
 
     private static Certificate told(Coupling coupling, CouplingSearch search, Budget budget) {
@@ -107,7 +110,7 @@ final class CoupledRefinement {
                 Budget.within(
                         () ->
                                 Optional.of(search.shortened())
-                                        .filter(each -> proves(coupling, each, budget)),
+                                        .filter(each -> problem(coupling, each, budget).isEmpty()),
                         reason -> Optional.empty());
         return new Certificate(Form.CONDITIONS, fewer.orElse(all));
     }
@@ -122,7 +125,7 @@ final class CoupledRefinement {
         if (!areFlat(left, right)) {
             return Optional.of("conditions over variables are about two automata, no compositions");
         }
-        return CouplingCheck.problem(coupling(left, right), certificate.entries(), budget::isSpent);
+        return problem(coupling(left, right), certificate.entries(), budget);
     }
 
     private static Coupling coupling(Promise left, Promise right) {

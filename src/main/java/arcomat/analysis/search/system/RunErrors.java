@@ -5,6 +5,7 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
+import arcomat.semantics.expression.Interval;
 import arcomat.semantics.network.Network;
 
 /**
@@ -12,6 +13,8 @@ import arcomat.semantics.network.Network;
  * division by zero. Errs on the side of yes.
  */
 public final class RunErrors {
+    private static final Interval ZERO = Interval.of(0, 0);
+
     private RunErrors() {}
 
     /** Of a composition: where events queue up, there may be no room for one more. */
@@ -29,8 +32,8 @@ public final class RunErrors {
 
     private static boolean arePossible(Automaton.Transition transition) {
         return transition.assignments().stream()
-                        .anyMatch(a -> isCalculated(a.value(), a.variable().type()))
-                || transition.sends().stream().anyMatch(RunErrors::isCalculated)
+                        .anyMatch(a -> goesWrong(a.value(), a.variable().type()))
+                || transition.sends().stream().anyMatch(RunErrors::goesWrong)
                 || transition.matches().stream().anyMatch(match -> divides(match.pattern()))
                 || transition.guard().map(RunErrors::divides).orElse(false);
     }
@@ -40,27 +43,30 @@ public final class RunErrors {
                 && oneOf.values().stream().anyMatch(RunErrors::divides);
     }
 
-    private static boolean isCalculated(Automaton.Send send) {
-        return send.emission() instanceof Automaton.Messages messages
-                && messages.values().stream()
-                        .anyMatch(value -> isCalculated(value, send.port().type()));
+    private static boolean goesWrong(Automaton.Send send) {
+        return send.emission().values().stream()
+                .anyMatch(value -> goesWrong(value, send.port().type()));
     }
 
-    /** What is written down, or copied from where it had the same type, is never out of range. */
-    private static boolean isCalculated(Expression value, Type target) {
-        return !(value instanceof Expression.Constant)
-                && !(isCopied(value) && value.type().equals(target));
+    private static boolean goesWrong(Expression value, Type target) {
+        return divides(value) || mayLeave(target, value);
     }
 
-    private static boolean isCopied(Expression value) {
-        return value instanceof Expression.VariableRead || value instanceof Expression.PortRead;
+    /** Only types with a range can be left. */
+    private static boolean mayLeave(Type target, Expression value) {
+        return target instanceof Type.IntegerType integer
+                && integer.ranged()
+                && !Interval.of(value).isWithin(Interval.of(integer.low(), integer.high()));
     }
 
+    /** Only integers have no quotient by zero. */
     private static boolean divides(Expression e) {
-        boolean itself =
-                e instanceof Expression.Binary binary
-                        && (binary.operator() == BinaryOperator.DIVIDE
-                                || binary.operator() == BinaryOperator.REMAINDER);
-        return itself || e.operands().stream().anyMatch(RunErrors::divides);
+        return e.contains(
+                part ->
+                        part instanceof Expression.Binary binary
+                                && (binary.operator() == BinaryOperator.DIVIDE
+                                        || binary.operator() == BinaryOperator.REMAINDER)
+                                && Interval.isInteger(binary.type())
+                                && ZERO.isWithin(Interval.of(binary.right())));
     }
 }

@@ -17,10 +17,12 @@ class RunErrorsTest {
                 ==== a/C.arc
                 package a;
                 component C {
-                  port in Integer[0..9] x, in Integer w, out Integer[0..9] y;
+                  port in Integer[0..9] x, in Integer w, out Integer[0..9] y, out Integer any;
                   <<completion = "%s">> automaton {
                     variable Integer[0..9] n = 0;
                     variable Integer[0..5] few = 0;
+                    variable Integer total = 0;
+                    variable Double real = 0.0;
                     state s;
                     initial s;
                     s %s;
@@ -47,6 +49,19 @@ class RunErrorsTest {
                     {x == ?} / {y = --}      | false
                     [x + 1 > n] / {y = x}    | false
                     {x == ?} / {y = x + 1}   | true
+                    {x == ?} / {y = x - 1}   | true
+                    {x == ?} / {y = few + 4} | false
+                    {x == ?} / {y = few + 5} | true
+                    {w == ?} / {any = w + 1} | false
+                    {w == ?} / {total = w * w} | false
+                    {w == ?} / {total = w / (n + 1)} | false
+                    {w == ?} / {total = w / (n - 9)} | true
+                    {w == ?} / {y = w % 10}  | true
+                    {x == ?} / {y = x % 10}  | false
+                    {x == ?} / {y = w > 0 ? x : n} | false
+                    {x == ?} / {y = w > 0 ? w : n} | true
+                    {w == ?} / {real = w / 2.0 / n} | false
+                    {w == ?} / {y = (Integer) (real / n)} | true
                     {x == ?} / {n = n + 1}   | true
                     {w == ?} / {y = w}       | true
                     {x == ?} / {few = x}     | true
@@ -55,6 +70,7 @@ class RunErrorsTest {
                     [w % n == 1] / {y = x}   | true
                     {x = alt {1, 6 / n}}     | true
                     {x = alt {1, n}}         | false
+                    {x = alt {1, 6 / (n + 1)}} | false
                     """)
     void whatIsCalculatedMayGoWrong(String transition, boolean possible) {
         assertThat(possible("ignore", transition)).isEqualTo(possible);
