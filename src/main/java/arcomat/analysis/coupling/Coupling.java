@@ -11,6 +11,7 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -100,6 +101,29 @@ public final class Coupling {
 
     static StatePair pair(Start mine, Start theirs) {
         return new StatePair(mine.configuration().state(), theirs.configuration().state());
+    }
+
+    /** Whether a comparison says that both sides have the same value where they may correspond. */
+    boolean isOfCounterparts(Comparison comparison) {
+        int count = left.memory().size();
+        return right.memory().size() == count
+                && comparison
+                        .same()
+                        .filter(
+                                other ->
+                                        memory.indexOf(comparison.variable()) + count
+                                                == memory.indexOf(other))
+                        .isPresent();
+    }
+
+    /** Steps of the right side that lead to a state of the same name before others. */
+    Comparator<PossibleStep> likest(PossibleStep mine) {
+        String state = left.state(mine.target());
+        return Comparator.comparing(
+                theirs ->
+                        right.state(theirs.target()).equals(state)
+                                ? theirs.name().equals(mine.name()) ? 0 : 1
+                                : 2);
     }
 
     /** Whether all that the left side may send at its beginning is allowed by the right one. */

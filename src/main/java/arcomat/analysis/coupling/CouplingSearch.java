@@ -24,6 +24,7 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Looks for conditions that steps of both sides keep, as long as they send the same: of many
@@ -133,16 +134,53 @@ public final class CouplingSearch {
         }
         for (Slice slice : slices) {
             for (PossibleStep mine : followed(slice.mine())) {
-                for (PossibleStep theirs : followed(slice.theirs())) {
+                for (PossibleStep theirs : answers(slice, mine)) {
                     follow(slice, mine, theirs);
                 }
             }
         }
     }
 
+    /**
+     * What answers a step: where some answer does always, that one alone, so that nothing has to be
+     * true after others. One is preferred that leaves alike what is alike.
+     */
+    private List<PossibleStep> answers(Slice slice, PossibleStep mine) {
+        List<PossibleStep> all = followed(slice.theirs());
+        if (all.size() == 1) {
+            return all;
+        }
+        List<PossibleStep> preferred = all.stream().sorted(coupling.likest(mine)).toList();
+        List<Comparison> alike =
+                Objects.requireNonNull(found.get(slice.pair())).stream()
+                        .filter(coupling::isOfCounterparts)
+                        .toList();
+        return Stream.of(alike, List.<Comparison>of())
+                .flatMap(kept -> preferred.stream().filter(each -> isSure(slice, mine, each, kept)))
+                .findFirst()
+                .map(List::of)
+                .orElse(all);
+    }
+
+    private boolean isSure(
+            Slice slice, PossibleStep mine, PossibleStep theirs, List<Comparison> kept) {
+        SliceSolver solver = solver(slice, Objects.requireNonNull(found.get(slice.pair())));
+        solver.claim(mine.when());
+        solver.claimNot(
+                solver.and(solver.answers(mine, theirs), solver.leadsTo(kept, mine, theirs)));
+        try {
+            return found(solver).isEmpty();
+        } catch (GivenUp hard) {
+            if (isOver()) {
+                throw hard;
+            }
+            return false;
+        }
+    }
+
     /** At least so many questions are asked about a slice. */
     private static long steps(Slice slice) {
-        return (long) followed(slice.mine()).size() * followed(slice.theirs()).size();
+        return followed(slice.theirs()).isEmpty() ? 0 : followed(slice.mine()).size();
     }
 
     private static List<PossibleStep> followed(List<PossibleStep> steps) {

@@ -2,6 +2,7 @@ package arcomat.analysis.coupling;
 
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.semantics.expression.Formulas;
 import arcomat.semantics.expression.PartialEvaluation;
 
 import java.util.ArrayList;
@@ -16,7 +17,7 @@ import java.util.stream.Stream;
  *
  * @param mine what the left side may do
  * @param theirs what the right side may do
- * @param errs when a run of the left side ends
+ * @param errs when a run of the left side ends, and one of the right side cannot
  * @param ports what all of this reads: inputs with a message, and variables
  */
 record Slice(
@@ -37,7 +38,11 @@ record Slice(
         PartialEvaluation known = new PartialEvaluation(Map.of(), Set.copyOf(open));
         List<PossibleStep> mine = with(known, coupling.left.behaviours(pair.left()));
         List<PossibleStep> theirs = with(known, coupling.right.behaviours(pair.right()));
-        Expression errs = known.of(coupling.left.errs(pair.left()));
+        Expression errs =
+                known.of(
+                        Formulas.and(
+                                coupling.left.errs(pair.left()),
+                                Formulas.not(coupling.right.errs(pair.right()))));
         List<Expression> all = new ArrayList<>(List.of(errs));
         mine.forEach(each -> all.addAll(each.expressions()));
         theirs.forEach(each -> all.addAll(each.expressions()));

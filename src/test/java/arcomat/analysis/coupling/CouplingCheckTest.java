@@ -249,7 +249,7 @@ class CouplingCheckTest {
     }
 
     /** Whether what is looked for is found, and is a proof. */
-    private static boolean isProved(Promise left, Promise right) {
+    static boolean isProved(Promise left, Promise right) {
         return Budget.within(
                 () -> {
                     Coupling coupling = Coupling.of(subject(left), subject(right));
