@@ -18,7 +18,7 @@ import java.util.Optional;
  * Expressions at one point of a run, in bits: exactly as the interpreter has them, but for {@link
  * UnknownResults}. Truth values are one bit; constants of enumerations and characters are their
  * positions, numbers of floating point what Java has in memory, texts have {@linkplain TextCodes
- * numbers of their own}.
+ * numbers of their own}, objects are their attributes.
  */
 final class BitExpressions implements Expression.SomeCases<int[]> {
     private final Circuit circuit;
@@ -111,6 +111,14 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     @Override
+    public int[] attributeRead(Expression.AttributeRead read) {
+        if (read.object().type() instanceof Type.ClassType type) {
+            return values.part(bits(read.object()), type, read.index());
+        }
+        throw noBits(read);
+    }
+
+    @Override
     public int[] portMatches(Expression.PortMatches matches) {
         Expression read = new Expression.PortRead(matches.port(), matches.span());
         int has = reads.has(matches.port());
@@ -176,6 +184,10 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         return type instanceof Type.StringType;
     }
 
+    private static boolean isNoNumber(Type type) {
+        return isText(type) || type instanceof Type.ClassType;
+    }
+
     @Override
     public int[] conditional(Expression.Conditional choice) {
         return circuit.choose(
@@ -186,7 +198,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
 
     @Override
     public int[] cast(Expression.Cast cast) {
-        if (isText(cast.type()) || isText(cast.operand().type())) {
+        if (isNoNumber(cast.type()) || isNoNumber(cast.operand().type())) {
             throw noBits(cast);
         }
         if (cast.type() instanceof Type.RealType real) {
@@ -254,7 +266,8 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         boolean isReal = type instanceof Type.RealType;
         if (isReal != operand.type() instanceof Type.RealType
                 || isReal && !type.equals(operand.type())
-                || isText(type) != isText(operand.type())) {
+                || isNoNumber(type) && !type.equals(operand.type())
+                || isNoNumber(operand.type()) && !isNoNumber(type)) {
             throw noBits(operand);
         }
         return Circuit.resized(bits(operand), values.width(type));
@@ -293,7 +306,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
     }
 
     private int isBelow(Expression one, Expression other) {
-        if (isText(one.type()) || isText(other.type())) {
+        if (isNoNumber(one.type()) || isNoNumber(other.type())) {
             throw noBits(one);
         }
         int[] a = bits(one);

@@ -4,7 +4,6 @@ import arcomat.analysis.reachability.Instant;
 import arcomat.analysis.reachability.Reachability;
 import arcomat.analysis.reachability.Subject;
 import arcomat.model.Expression;
-import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -14,9 +13,7 @@ import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.IntPredicate;
@@ -24,11 +21,7 @@ import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
-/**
- * Where an automaton is at one point of a run, in bits. An object is what is read of it, each
- * attribute by itself; objects that are remembered or compared may be anything, as may what has no
- * circuit.
- */
+/** Where an automaton is at one point of a run, in bits. What has no circuit may be anything. */
 final class BitInstant implements Instant<int[]> {
     private final Subject subject;
     private final Circuit circuit;
@@ -38,7 +31,6 @@ final class BitInstant implements Instant<int[]> {
     private final Runnable inexact;
     private final int[] states;
     private final Map<String, int[]> variables = new HashMap<>();
-    private final Map<String, int[]> parts = new HashMap<>();
     private final Map<String, Integer> present = new HashMap<>();
 
     /**
@@ -70,10 +62,6 @@ final class BitInstant implements Instant<int[]> {
 
     private int[] any(Type type) {
         return orAnything(() -> values.any(type));
-    }
-
-    private int[] some(Type type) {
-        return orAnything(() -> values.some(type));
     }
 
     private int[] orAnything(Supplier<int[]> bits) {
@@ -127,20 +115,11 @@ final class BitInstant implements Instant<int[]> {
                     .constant(read);
         }
 
-        /** An object may be any, and so may its attributes, but wherever they are read the same. */
         @Override
         public int[] instead(Expression e, GivenUp noBits) {
             inexact.run();
-            return isOfMessage(e)
-                    ? parts.computeIfAbsent(ExpressionText.of(e), part -> some(e.type()))
-                    : any(e.type());
+            return any(e.type());
         }
-    }
-
-    /** Whether an expression is a message or an attribute of one, or of an object in it. */
-    private static boolean isOfMessage(Expression e) {
-        return e instanceof Expression.PortRead
-                || e instanceof Expression.AttributeRead read && isOfMessage(read.object());
     }
 
     @Override
@@ -227,25 +206,6 @@ final class BitInstant implements Instant<int[]> {
                         .toList());
     }
 
-    /** A message, or an attribute of one; of what nobody reads any will do. */
-    private Value read(Expression e) {
-        if (e.type() instanceof Type.ClassType type) {
-            return new Value.ObjectValue(type, attributes(e, type));
-        }
-        int[] bits = e instanceof Expression.PortRead ? value(e) : parts.get(ExpressionText.of(e));
-        return bits == null ? e.type().first() : decoded(bits, e.type());
-    }
-
-    private List<Value> attributes(Expression object, Type.ClassType type) {
-        List<Value> values = new ArrayList<>();
-        for (Type.Attribute each : type.attributes()) {
-            int index = values.size();
-            values.add(
-                    read(new Expression.AttributeRead(object, index, each.type(), object.span())));
-        }
-        return values;
-    }
-
     private Value decoded(int[] bits, Type type) {
         try {
             return values.meaning(bits, type, isTrue);
@@ -260,7 +220,7 @@ final class BitInstant implements Instant<int[]> {
                 .map(
                         port ->
                                 isTrue.test(literal(port))
-                                        ? read(new Expression.PortRead(port, port.span()))
+                                        ? decoded(message(port), port.type())
                                         : null)
                 .toArray(Value[]::new);
     }

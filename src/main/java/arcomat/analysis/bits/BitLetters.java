@@ -19,9 +19,10 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * Letters that make conditions true, where all is numbers, truth values, constants and texts. Says
- * that there is none only where that is proved and the proof has been checked. Conditions are
- * literals: negative where the opposite is meant. All gives up where something else comes in.
+ * Letters that make conditions true, where all is numbers, truth values, constants, texts, and
+ * objects with such attributes. Says that there is none only where that is proved and the proof has
+ * been checked. Conditions are literals: negative where the opposite is meant. All gives up where
+ * something else comes in.
  */
 public final class BitLetters {
     /** Assignments for one letter: seconds. A solver that needs more hardly finds an end. */
@@ -62,15 +63,6 @@ public final class BitLetters {
         same.forEach((port, other) -> expressions.join(other, port));
         for (Port port : ports) {
             claim(values.isOf(expressions.message(port), port.type()));
-        }
-    }
-
-    /** Whether values of a type have bits. */
-    public static boolean areFor(Type type) {
-        try {
-            return BitCodes.of(type, new TextCodes()).width() > 0;
-        } catch (GivenUp none) {
-            return false;
         }
     }
 

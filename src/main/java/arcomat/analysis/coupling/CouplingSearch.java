@@ -1,6 +1,5 @@
 package arcomat.analysis.coupling;
 
-import arcomat.analysis.bits.BitLetters;
 import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.model.Expression;
 import arcomat.model.Port;
@@ -59,8 +58,7 @@ public final class CouplingSearch {
     private CouplingSearch(Coupling coupling, BooleanSupplier stop) {
         this.coupling = coupling;
         this.stop = stop;
-        this.variables =
-                coupling.memory.stream().filter(each -> BitLetters.areFor(each.type())).toList();
+        this.variables = coupling.memory;
     }
 
     /**

@@ -52,9 +52,7 @@ record SmallExamples(List<Port> ports, List<DataFact> facts) {
         } else if (type instanceof Type.RealType real) {
             reals(real).filter(type::has).forEach(values::add);
         } else {
-            mentioned().stream()
-                    .filter(value -> value.getClass() == type.first().getClass())
-                    .forEach(values::add);
+            mentioned().stream().filter(type::has).forEach(values::add);
         }
         return List.copyOf(values);
     }

@@ -273,11 +273,54 @@ class BitLettersTest {
         assertThatThrownBy(() -> letters.areSame(large, read(2))).isInstanceOf(GivenUp.class);
     }
 
+    /** Of objects within objects, too: each is one of its own type. */
     @Test
-    void objectsHaveNoBits() {
-        Port object = port("o", new Type.ClassType("C", List.of()));
-        assertThatThrownBy(() -> new BitLetters(List.of(object), () -> false))
-                .isInstanceOf(GivenUp.class);
+    void objectsAreTheirAttributes() {
+        Type text = new Type.StringType();
+        Type few = new Type.IntegerType(Width.INT, 2, 3, true);
+        Type.ClassType inner = object("I", text, few, DOUBLE);
+        Type.ClassType outer = object("O", INT, inner, TRUTH);
+        Port one = port("one", outer);
+        Port two = port("two", outer);
+        BitLetters letters = new BitLetters(List.of(one, two), () -> false);
+        letters.claim(-letters.areSame(whole(one), whole(two)));
+        letters.claim(same(letters, INT, one, two, 0));
+        letters.claim(same(letters, text, one, two, 1, 0));
+        letters.claim(same(letters, DOUBLE, one, two, 1, 2));
+        letters.claim(same(letters, TRUTH, one, two, 2));
+        Value[] found = letters.find().orElseThrow();
+        assertThat(List.of(number(found[0]), number(found[1]))).containsExactlyInAnyOrder(2L, 3L);
+        letters.claim(same(letters, few, one, two, 1, 1));
+        assertThat(letters.find()).isEmpty();
+    }
+
+    private static Type.ClassType object(String name, Type... types) {
+        return new Type.ClassType(
+                name, Stream.of(types).map(type -> new Type.Attribute("a", type)).toList());
+    }
+
+    private static Expression whole(Port port) {
+        return new Expression.PortRead(port, NOWHERE);
+    }
+
+    private static int same(BitLetters letters, Type type, Port one, Port two, int... path) {
+        return letters.areSame(part(one, type, path), part(two, type, path));
+    }
+
+    private static Expression part(Port port, Type type, int... path) {
+        Expression part = whole(port);
+        for (int index : path) {
+            Type own = ((Type.ClassType) part.type()).attributes().get(index).type();
+            part = new Expression.AttributeRead(part, index, own, NOWHERE);
+        }
+        assertThat(part.type()).isEqualTo(type);
+        return part;
+    }
+
+    /** The second attribute of the second one. */
+    private static long number(Value object) {
+        Value inner = ((Value.ObjectValue) object).attributes().get(1);
+        return ((Value.ObjectValue) inner).attributes().get(1).whole();
     }
 
     @Test
