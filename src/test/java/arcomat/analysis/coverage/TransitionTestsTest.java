@@ -43,6 +43,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 
 /** Tests that take every transition are read, checked and passed. */
@@ -60,6 +61,26 @@ class TransitionTestsTest {
 
     static List<StreamTest> streams(TransitionTests.Result result) {
         return result.tests().stream().map(TransitionTests.Test::streams).toList();
+    }
+
+    /** Wherever it is stopped, also in the middle of a test: then that test takes nothing. */
+    @Test
+    void eachTransitionIsTakenOrNamed() {
+        Component figure =
+                model(COFFEE, Optional.empty()).component("coffee.fig3.AvoidCrash").orElseThrow();
+        Promise promise = Promise.of(figure, List.of());
+        int stopped = 0;
+        for (int most = 0; most < 200; most++) {
+            AtomicInteger left = new AtomicInteger(most);
+            Budget little = new Budget(() -> left.decrementAndGet() < 0, 20_000);
+            TransitionTests.Result result = TransitionTests.of(promise, "Little", little);
+            long taken = result.tests().stream().mapToLong(each -> each.covers().size()).sum();
+            assertThat(taken + result.uncovered().size())
+                    .as("after %d questions", most)
+                    .isEqualTo(result.transitions());
+            stopped += result.answer() == Verdict.Answer.UNKNOWN ? 1 : 0;
+        }
+        assertThat(stopped).isBetween(3, 199);
     }
 
     @Test
