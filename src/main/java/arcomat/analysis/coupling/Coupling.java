@@ -24,6 +24,8 @@ public final class Coupling {
     private static final int MOST_SILENCES = 256;
 
     private static final String SEPARATOR = " with ";
+    private static final String LEFT = "left";
+    private static final String RIGHT = "right";
 
     final CoupledSide left;
     final CoupledSide right;
@@ -58,7 +60,7 @@ public final class Coupling {
      */
     public static Coupling of(Subject left, Subject right) {
         List<Port> observed = right.component.outputs();
-        Coupling coupling = new Coupling(left.side("left"), right.side("right"), observed);
+        Coupling coupling = new Coupling(left.side(LEFT), right.side(RIGHT), observed);
         for (Port port : observed) {
             if (coupling.left.output(port.name()).delay() != port.delay()) {
                 throw new GivenUp(
@@ -105,15 +107,21 @@ public final class Coupling {
 
     /** Whether a comparison says that both sides have the same value where they may correspond. */
     boolean isOfCounterparts(Comparison comparison) {
-        int count = left.memory().size();
-        return right.memory().size() == count
+        return left.memory().contains(comparison.variable())
                 && comparison
                         .same()
-                        .filter(
-                                other ->
-                                        memory.indexOf(comparison.variable()) + count
-                                                == memory.indexOf(other))
+                        .filter(counterpart(comparison.variable()).stream().toList()::contains)
                         .isPresent();
+    }
+
+    /** The variable of the same name, else the one at the same place of as many. */
+    private Optional<Port> counterpart(Port variable) {
+        String name = RIGHT + variable.name().substring(LEFT.length());
+        Optional<Port> alike =
+                right.memory().stream().filter(each -> each.name().equals(name)).findFirst();
+        return alike.isPresent() || left.memory().size() != right.memory().size()
+                ? alike
+                : Optional.of(right.memory().get(left.memory().indexOf(variable)));
     }
 
     /** Steps of the right side that lead to a state of the same name before others. */

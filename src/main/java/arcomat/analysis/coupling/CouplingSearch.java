@@ -166,6 +166,11 @@ public final class CouplingSearch {
         solver.claim(mine.when());
         solver.claimNot(
                 solver.and(solver.answers(mine, theirs), solver.leadsTo(kept, mine, theirs)));
+        return isImpossible(solver);
+    }
+
+    /** Whether that is proved. */
+    private boolean isImpossible(SliceSolver solver) {
         try {
             return found(solver).isEmpty();
         } catch (GivenUp hard) {
@@ -222,44 +227,44 @@ public final class CouplingSearch {
         StatePair after = Slice.after(mine, theirs);
         List<Comparison> all = Objects.requireNonNull(found.get(after));
         List<Comparison> kept =
-                all.stream().filter(each -> isKept(each, slice, mine, theirs)).toList();
+                all.stream()
+                        .filter(
+                                each ->
+                                        isImpossible(
+                                                contradicting(List.of(each), slice, mine, theirs)))
+                        .toList();
         found.put(after, kept);
         if (kept.size() < all.size()) {
             open.add(after);
         }
     }
 
-    private boolean isKept(Comparison one, Slice slice, PossibleStep mine, PossibleStep theirs) {
-        try {
-            return another(slice, mine, theirs, List.of(one)).isEmpty();
-        } catch (GivenUp hard) {
-            if (isOver()) {
-                throw hard;
-            }
-            return false;
-        }
-    }
-
     /** Until no example of the step contradicts what is thought of the pair after it. */
     private void refute(Slice slice, PossibleStep mine, PossibleStep theirs) {
         StatePair after = Slice.after(mine, theirs);
-        Optional<Value[]> example = another(slice, mine, theirs, found.get(after));
+        Optional<Value[]> example = example(slice, mine, theirs);
         while (example.isPresent()) {
             Value[] row = example.get();
             met(after, variables.stream().map(v -> after(v, slice, mine, theirs, row)).toList());
-            example = another(slice, mine, theirs, found.get(after));
+            example = example(slice, mine, theirs);
         }
     }
 
-    private Optional<Value[]> another(
-            Slice slice, PossibleStep mine, PossibleStep theirs, @Nullable List<Comparison> known) {
+    private Optional<Value[]> example(Slice slice, PossibleStep mine, PossibleStep theirs) {
+        List<Comparison> known = found.get(Slice.after(mine, theirs));
+        return found(contradicting(known, slice, mine, theirs));
+    }
+
+    /** Asks for an example of a step that contradicts something, or for any. */
+    private SliceSolver contradicting(
+            @Nullable List<Comparison> known, Slice slice, PossibleStep mine, PossibleStep theirs) {
         SliceSolver solver = solver(slice, Objects.requireNonNull(found.get(slice.pair())));
         solver.claim(mine.when());
         solver.claim(solver.answers(mine, theirs));
         if (known != null) {
             solver.claimNot(solver.leadsTo(known, mine, theirs));
         }
-        return found(solver);
+        return solver;
     }
 
     private Optional<Value[]> found(SliceSolver solver) {
