@@ -42,7 +42,7 @@ public final class TraceInclusion {
     private static final long LITTLE_WORK = 300_000;
 
     /** So many pairs are looked at where letters are left out, so that it cannot hold any more. */
-    private static final long SOME_PAIRS = 3_000;
+    private static final long SOME_PAIRS = 1_000;
 
     /** Beyond that, so many times as many as the search itself has tried. */
     private static final long FACTOR = 8;
