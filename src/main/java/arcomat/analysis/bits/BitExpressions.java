@@ -180,12 +180,13 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
         }
     }
 
-    private static boolean isText(Type type) {
-        return type instanceof Type.StringType;
+    private static boolean isNoNumber(Type type) {
+        return type instanceof Type.StringType || type instanceof Type.ClassType;
     }
 
-    private static boolean isNoNumber(Type type) {
-        return isText(type) || type instanceof Type.ClassType;
+    /** Whether all of its bits are needed as they are. */
+    private static boolean isWhole(Type type) {
+        return type instanceof Type.RealType || isNoNumber(type);
     }
 
     @Override
@@ -261,13 +262,9 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                 : circuit.negated(operand);
     }
 
-    /** In as many bits as a type has: of a number of floating point, all are needed as they are. */
+    /** In as many bits as a type has. */
     private int[] sized(Expression operand, Type type) {
-        boolean isReal = type instanceof Type.RealType;
-        if (isReal != operand.type() instanceof Type.RealType
-                || isReal && !type.equals(operand.type())
-                || isNoNumber(type) && !type.equals(operand.type())
-                || isNoNumber(operand.type()) && !isNoNumber(type)) {
+        if (!type.equals(operand.type()) && (isWhole(type) || isWhole(operand.type()))) {
             throw noBits(operand);
         }
         return Circuit.resized(bits(operand), values.width(type));
@@ -323,7 +320,7 @@ final class BitExpressions implements Expression.SomeCases<int[]> {
                     bits(binary.right()),
                     () -> values.some(binary.type()));
         }
-        if (isText(binary.type())) {
+        if (isNoNumber(binary.type())) {
             throw noBits(binary);
         }
         int[] left = sized(binary.left(), binary.type());

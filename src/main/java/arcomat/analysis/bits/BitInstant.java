@@ -18,7 +18,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.IntPredicate;
 import java.util.function.IntSupplier;
-import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /** Where an automaton is at one point of a run, in bits. What has no circuit may be anything. */
@@ -52,24 +51,11 @@ final class BitInstant implements Instant<int[]> {
         this.inexact = inexact;
         this.states = states;
         for (Variable variable : subject.automaton().variables()) {
-            variables.put(variable.name(), any(variable.type()));
+            variables.put(variable.name(), values.any(variable.type()));
         }
         for (Port port : subject.component().inputs()) {
             boolean always = subject.isAlwaysThere(port);
             present.put(port.name(), always ? circuit.of(true) : circuit.input(1)[0]);
-        }
-    }
-
-    private int[] any(Type type) {
-        return orAnything(() -> values.any(type));
-    }
-
-    private int[] orAnything(Supplier<int[]> bits) {
-        try {
-            return bits.get();
-        } catch (GivenUp noBits) {
-            inexact.run();
-            return circuit.input(Integer.SIZE);
         }
     }
 
@@ -118,7 +104,7 @@ final class BitInstant implements Instant<int[]> {
         @Override
         public int[] instead(Expression e, GivenUp noBits) {
             inexact.run();
-            return any(e.type());
+            return values.any(e.type());
         }
     }
 

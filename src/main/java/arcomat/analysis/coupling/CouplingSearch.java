@@ -85,10 +85,7 @@ public final class CouplingSearch {
         for (Start mine : coupling.left.starts()) {
             for (Start theirs : coupling.right.starts()) {
                 if (coupling.isAllowed(mine, theirs)) {
-                    Value[] row = coupling.row(mine, theirs);
-                    List<Value> coded =
-                            variables.stream().map(v -> row[coupling.memory.indexOf(v)]).toList();
-                    met(Coupling.pair(mine, theirs), coded);
+                    met(Coupling.pair(mine, theirs), List.of(coupling.row(mine, theirs)));
                 }
             }
         }

@@ -4,15 +4,16 @@ import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
-import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
 
 /** Expressions that go well wherever they are computed. Errs on the side of no. */
-final class SureResults {
+public final class SureResults {
+    private static final Interval ZERO = Interval.of(0, 0);
+
     private SureResults() {}
 
     /** Whether a value can always be computed, and always is one of a type. */
-    static boolean isSure(Expression value, Type target) {
+    public static boolean isSure(Expression value, Type target) {
         return !mayDivideByZero(value) && isWithin(value, target);
     }
 
@@ -31,23 +32,23 @@ final class SureResults {
                 && e.operands().stream().allMatch(SureResults::readsKnownTypes);
     }
 
+    /** Only integers have no quotient by zero. */
     static boolean mayDivideByZero(Expression e) {
-        boolean divides =
-                e instanceof Expression.Binary binary
-                        && (binary.operator() == BinaryOperator.DIVIDE
-                                || binary.operator() == BinaryOperator.REMAINDER)
-                        && !isNumberButZero(binary.right());
-        return divides || e.operands().stream().anyMatch(SureResults::mayDivideByZero);
+        return e.contains(
+                part ->
+                        part instanceof Expression.Binary binary
+                                && (binary.operator() == BinaryOperator.DIVIDE
+                                        || binary.operator() == BinaryOperator.REMAINDER)
+                                && Interval.isInteger(binary.type())
+                                && mayBeZero(binary.right()));
     }
 
-    private static boolean isNumberButZero(Expression e) {
-        return e instanceof Expression.Constant constant
-                && constant.value() instanceof Value.IntegerValue number
-                && number.value() != 0;
+    private static boolean mayBeZero(Expression divisor) {
+        return !readsKnownTypes(divisor) || ZERO.isWithin(Interval.of(divisor));
     }
 
     /** Whether it can always be told if a transition is enabled. */
-    static boolean isSureCondition(Automaton.Transition transition) {
+    public static boolean isSureCondition(Automaton.Transition transition) {
         return transition.guard().stream().noneMatch(SureResults::mayDivideByZero)
                 && transition.matches().stream()
                         .flatMap(match -> match.pattern().values().stream())

@@ -1,11 +1,8 @@
 package arcomat.analysis.search.system;
 
+import arcomat.analysis.search.reduction.SureResults;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
-import arcomat.model.Type;
-import arcomat.semantics.expression.Interval;
 import arcomat.semantics.network.Network;
 
 /**
@@ -13,8 +10,6 @@ import arcomat.semantics.network.Network;
  * division by zero. Errs on the side of yes.
  */
 public final class RunErrors {
-    private static final Interval ZERO = Interval.of(0, 0);
-
     private RunErrors() {}
 
     /** Of a composition: where events queue up, there may be no room for one more. */
@@ -31,42 +26,14 @@ public final class RunErrors {
     }
 
     private static boolean arePossible(Automaton.Transition transition) {
-        return transition.assignments().stream()
-                        .anyMatch(a -> goesWrong(a.value(), a.variable().type()))
-                || transition.sends().stream().anyMatch(RunErrors::goesWrong)
-                || transition.matches().stream().anyMatch(match -> divides(match.pattern()))
-                || transition.guard().map(RunErrors::divides).orElse(false);
+        return !SureResults.isSureCondition(transition)
+                || !transition.assignments().stream()
+                        .allMatch(a -> SureResults.isSure(a.value(), a.variable().type()))
+                || !transition.sends().stream().allMatch(RunErrors::isSure);
     }
 
-    private static boolean divides(Automaton.Pattern pattern) {
-        return pattern instanceof Automaton.OneOf oneOf
-                && oneOf.values().stream().anyMatch(RunErrors::divides);
-    }
-
-    private static boolean goesWrong(Automaton.Send send) {
+    private static boolean isSure(Automaton.Send send) {
         return send.emission().values().stream()
-                .anyMatch(value -> goesWrong(value, send.port().type()));
-    }
-
-    private static boolean goesWrong(Expression value, Type target) {
-        return divides(value) || mayLeave(target, value);
-    }
-
-    /** Only types with a range can be left. */
-    private static boolean mayLeave(Type target, Expression value) {
-        return target instanceof Type.IntegerType integer
-                && integer.ranged()
-                && !Interval.of(value).isWithin(Interval.of(integer.low(), integer.high()));
-    }
-
-    /** Only integers have no quotient by zero. */
-    private static boolean divides(Expression e) {
-        return e.contains(
-                part ->
-                        part instanceof Expression.Binary binary
-                                && (binary.operator() == BinaryOperator.DIVIDE
-                                        || binary.operator() == BinaryOperator.REMAINDER)
-                                && Interval.isInteger(binary.type())
-                                && ZERO.isWithin(Interval.of(binary.right())));
+                .allMatch(value -> SureResults.isSure(value, send.port().type()));
     }
 }

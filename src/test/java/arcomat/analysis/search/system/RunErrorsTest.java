@@ -14,10 +14,14 @@ class RunErrorsTest {
     private static boolean possible(String completion, String transition) {
         String text =
                 """
+                ==== a/T.cd
+                package a;
+                classdiagram T { class Thing { Integer[0..9] size; } }
                 ==== a/C.arc
                 package a;
-                component C {
-                  port in Integer[0..9] x, in Integer w, out Integer[0..9] y, out Integer any;
+                import a.T.Thing;
+                component C(Integer[0..9] k = 1) {
+                  port in Integer[0..9] x, in Thing t, in Integer w, out Integer[0..9] y, out Integer any;
                   <<completion = "%s">> automaton {
                     variable Integer[0..9] n = 0;
                     variable Integer[0..5] few = 0;
@@ -69,6 +73,9 @@ class RunErrorsTest {
                     [6 / n == 1]             | true
                     [w % n == 1] / {y = x}   | true
                     {x = alt {1, 6 / n}}     | true
+                    {x == ?} / {y = k}       | true
+                    {x == ?} / {y = t.size}  | true
+                    {x == ?} / {total = w / (k + 1)} | true
                     {x = alt {1, n}}         | false
                     {x = alt {1, 6 / (n + 1)}} | false
                     """)
