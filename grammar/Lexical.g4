@@ -77,7 +77,7 @@ CLOSE_BRACE : '}' ;
 SEMICOLON : ';' ;
 
 ID
-    : LETTER (LETTER | [0-9])*
+    : LETTER (LETTER | MARK | [0-9])*
     ;
 
 INT
@@ -89,16 +89,18 @@ LONG
     ;
 
 FLOAT
-    : (DECIMAL | FRACTION) [fF]
+    : (DECIMAL | FRACTION | WHOLE_FRACTION | HEXADECIMAL_FRACTION) [fF]
     ;
 
+// 0..5 is a range: its first dot belongs to no number.
 DOUBLE
-    : FRACTION [dD]?
-    | DECIMAL [dD]
+    : (FRACTION | HEXADECIMAL_FRACTION) [dD]?
+    | (DECIMAL | WHOLE_FRACTION) [dD]
+    | DECIMAL '.' {_input.LA(1) != '.'}?
     ;
 
 CHAR
-    : '\'' (ESCAPE | ~['\\\r\n]) '\''
+    : '\'' (ESCAPE | PAIR | ~['\\\r\n]) '\''
     ;
 
 STRING
@@ -128,7 +130,18 @@ SPACE
 
 // Last, so that it takes only what no other rule takes.
 UNKNOWN
-    : .
+    : PAIR
+    | .
+    ;
+
+// A character outside of the basic plane; the lexer counts UTF-16 units.
+fragment PAIR
+    : '\uD800' .. '\uDBFF' '\uDC00' .. '\uDFFF'
+    ;
+
+// Combines with the letter before it, as in the decomposed form of a letter with an accent.
+fragment MARK
+    : '\u0300' .. '\u036F'
     ;
 
 fragment LETTER
@@ -143,7 +156,7 @@ fragment LETTER
 
 fragment INTEGER
     : DECIMAL
-    | '0' [xX] [0-9a-fA-F] ([0-9a-fA-F_]* [0-9a-fA-F])?
+    | '0' [xX] HEXADECIMAL
     | '0' [bB] [01] ([01_]* [01])?
     ;
 
@@ -151,10 +164,22 @@ fragment DECIMAL
     : [0-9] ([0-9_]* [0-9])?
     ;
 
-// Never ends in a dot: 0..5 is a range.
 fragment FRACTION
     : DECIMAL? '.' DECIMAL EXPONENT?
-    | DECIMAL EXPONENT
+    | DECIMAL '.'? EXPONENT
+    ;
+
+// With a letter behind it: 5.f
+fragment WHOLE_FRACTION
+    : DECIMAL '.'
+    ;
+
+fragment HEXADECIMAL_FRACTION
+    : '0' [xX] (HEXADECIMAL '.'? | HEXADECIMAL? '.' HEXADECIMAL) [pP] [+\-]? DECIMAL
+    ;
+
+fragment HEXADECIMAL
+    : [0-9a-fA-F] ([0-9a-fA-F_]* [0-9a-fA-F])?
     ;
 
 fragment EXPONENT

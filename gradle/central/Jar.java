@@ -2,13 +2,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.Map;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
 /** Writes jars that are the same in every run. */
 final class Jar {
-    private static final long FIXED_TIME = 315_532_800_000L; // 1980, where zip begins
+    /** Where zip begins, with a margin: at the first moment of 1980 Java adds the time in UTC. */
+    private static final LocalDateTime FIXED_TIME = LocalDateTime.of(1980, 2, 1, 0, 0);
+
     private static final int MANIFEST_LINE = 70;
 
     /**
@@ -39,7 +42,7 @@ final class Jar {
 
     private static void put(ZipOutputStream zip, String name, byte[] content) throws IOException {
         ZipEntry entry = new ZipEntry(name);
-        entry.setTime(FIXED_TIME);
+        entry.setTimeLocal(FIXED_TIME);
         zip.putNextEntry(entry);
         zip.write(content);
         zip.closeEntry();

@@ -67,9 +67,22 @@ if [ "$archive" != none ] && ! made_for; then
     make_archive >/dev/null 2>&1
 fi
 
+# Options in JAVA_OPTS may be quoted, as for the start scripts that Gradle writes: xargs takes quotes and backslashes away, and
+# sed has the shell take each other letter as it is.
+options=
+if [ -n "${JAVA_OPTS-}" ]; then
+    if ! options=$(printf '%s\n' "$JAVA_OPTS" | xargs -n1 printf '%s\n' 2>/dev/null); then
+        echo "arcomat: JAVA_OPTS cannot be read: close each quote, and have xargs on the path" >&2
+        exit 2
+    fi
+    options=$(printf '%s\n' "$options" | sed 's~[^-[:alnum:]+,./:=@_]~\\&~g' | tr '\n' ' ')
+fi
+set -- -classpath "@classpath@" arcomat.cli.Main "$@"
+eval "set -- $options"' "$@"'
+
 # An archive that does not fit is passed over; nobody needs to be told. It is mapped where it was made for: elsewhere,
 # every start would write new addresses into all of it. A Java that does not know how need not fail. No option is a date,
 # so that their classes need not be loaded.
 exec "$java" -Xshare:auto -XX:SharedArchiveFile="$archive" -Xlog:disable \
     -XX:+IgnoreUnrecognizedVMOptions -XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 \
-    -XX:+UseSerialGC $compiler -Dpicocli.converters.excludes='java.(sql|time).*' $watched ${columns:+"-Darcomat.columns=$columns"} $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"
+    -XX:+UseSerialGC $compiler -Dpicocli.converters.excludes='java.(sql|time).*' $watched ${columns:+"-Darcomat.columns=$columns"} "$@"

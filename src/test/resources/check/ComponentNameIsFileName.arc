@@ -22,3 +22,25 @@ package p;
 component Good {
   port in Boolean i, out Boolean o;
 }
+
+//// café/GoodCafé.arc
+/** The file is written apart, the name together. */
+package café;
+component GoodCafé {
+  port in Boolean crème, out Boolean o;
+
+  automaton {
+    state s;
+    initial s;
+    s {crème == true} / {o = true};
+  }
+}
+
+//// café/GoodBakery.arc
+package café;
+component GoodBakery {
+  component GoodCafé café;
+  port in Boolean a, out Boolean b;
+  connect a -> café.crème;
+  connect café.o -> b;
+}

@@ -21,3 +21,14 @@ component GoodConstraints {
   feature a, b;
   constraint a <=> !b;
 }
+
+//// Never.arc
+component Never {
+  constraint (true && !true);
+//            ~~~~~~~~~~~~~ error ARC0151: this constraint is false; no instance of 'Never' can be; correct it
+}
+
+//// Always.arc
+component Always {
+  constraint (!false);
+}

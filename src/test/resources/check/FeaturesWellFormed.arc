@@ -78,3 +78,14 @@ component Start {
 //~~~~~~~~ error ARC0150: 'init' belongs to no 'compute' here; write it between the same braces as the 'compute' that it begins
   varif (slow) { compute { b = a; } } else { compute { b = 2; } }
 }
+
+//// Parameter.arc
+component Parameter(Integer n) {
+  constraint (n > 3);
+//            ~~~~~ error ARC0150: this condition is to be about features of the component and nothing else: declare them, 'feature f;'
+
+  component Inner {
+    constraint (false);
+//  ~~~~~~~~~~~~~~~~~~~ error ARC0150: features and their constraints belong to the component that the file is about; write this there, beside its ports
+  }
+}

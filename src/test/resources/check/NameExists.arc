@@ -101,3 +101,17 @@ component Heir extends Missing {
 //                                ~~~~~~~ error ARC0329: Distance has no constant 'toClose'; did you mean 'tooClose'?
   }
 }
+
+//// Truths.arc
+component Truths {
+  port in Boolean b, out Boolean c;
+
+  automaton {
+    state s;
+    initial s;
+    s [FALSE] {b == True} / {c = flase};
+//     ~~~~~ error ARC0329: 'FALSE' is not a port, a variable or a parameter; did you mean 'false'?
+//                  ~~~~ error ARC0329: 'True' is not a port, a variable or a parameter; did you mean 'true'?
+//                               ~~~~~ error ARC0329: 'flase' is not a port, a variable or a parameter; did you mean 'false'?
+  }
+}

@@ -11,8 +11,8 @@ component Bad {
     driving {tooClose == ?} / {drive = true};
     driving {tooClose == --};
     waiting {speed == alt {1, 2}} / {drive = true};
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: two transitions out of waiting are enabled together: 'arcomat analyze' shows a run
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: two transitions out of waiting are enabled together: 'arcomat analyze' shows a run
     waiting {speed == 2};
     waiting -> resting {tooClose == true, speed == 1};
     waiting {speed == 3, tooClose == false} / {drive = tooClose};
@@ -34,12 +34,15 @@ component Good {
     waiting {speed == 1, tooClose == --};
     waiting [speed == 2];
     waiting [speed == 2];
+//  ~~~~~~~~~~~~~~~~~~~~~ warning ARC0349: this transition is written above already; correct one of them, or delete this one
     waiting {count == 3};
     waiting {far == 1.0};
     waiting {far == 1.0};
+//  ~~~~~~~~~~~~~~~~~~~~~ warning ARC0349: this transition is written above already; correct one of them, or delete this one
     waiting -> never {speed == 4} / {count = count + 9};
     never {speed == 5};
     never {speed == 5};
+//  ~~~~~~~~~~~~~~~~~~~ warning ARC0349: this transition is written above already; correct one of them, or delete this one
   }
 }
 

@@ -119,3 +119,16 @@ component Misspelled {
   port in Parcell arrived;
 //        ~~~~~~~ error ARC0120: there is no type 'Parcell'; did you mean 'Parcel'?
 }
+
+//// OtherLanguages.arc
+component OtherLanguages {
+  port in Bool c, in bool d, in Int e, in integer f, in string g, in Str h, in int64 i, in real j;
+//        ~~~~ error ARC0120: there is no type 'Bool'; did you mean 'Boolean'?
+//                   ~~~~ error ARC0120: there is no type 'bool'; did you mean 'Boolean'?
+//                              ~~~ error ARC0120: there is no type 'Int'; did you mean 'Integer'?
+//                                        ~~~~~~~ error ARC0120: there is no type 'integer'; did you mean 'Integer'?
+//                                                      ~~~~~~ error ARC0120: there is no type 'string'; did you mean 'String'?
+//                                                                   ~~~ error ARC0120: there is no type 'Str'; did you mean 'String'?
+//                                                                             ~~~~~ error ARC0120: there is no type 'int64'; did you mean 'Long'?
+//                                                                                         ~~~~ error ARC0120: there is no type 'real'; did you mean 'Double'?
+}

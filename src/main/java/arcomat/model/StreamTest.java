@@ -42,9 +42,14 @@ public record StreamTest(
         this("", suite, name, component, arguments, inputs, expected, span);
     }
 
+    /** {@code shop.StopTest}. */
+    public String qualifiedSuite() {
+        return packageName.isEmpty() ? suite : packageName + "." + suite;
+    }
+
     /** {@code shop.StopTest#stops}. */
     public String title() {
-        return (packageName.isEmpty() ? "" : packageName + ".") + suite + "#" + name;
+        return qualifiedSuite() + "#" + name;
     }
 
     /** The same with other expectations. */

@@ -1,7 +1,5 @@
 package arcomat.pipeline;
 
-import arcomat.analysis.search.Budget;
-
 import java.util.concurrent.CancellationException;
 
 /** Ends work that nobody waits for any longer, at its next step. */
@@ -30,13 +28,5 @@ public final class Interruption implements Progress {
         if (ended) {
             throw new CancellationException("nobody waits for it any longer");
         }
-    }
-
-    /** The same limits, which end with the work. */
-    public Budget within(Budget limits) {
-        return new Budget(
-                () -> ended || limits.timeIsUp().getAsBoolean(),
-                limits.memoryIsFull(),
-                limits.states());
     }
 }

@@ -1,6 +1,6 @@
 package arcomat.pipeline;
 
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 
 import java.io.IOException;
 import java.nio.file.Files;

@@ -8,6 +8,7 @@ import org.antlr.v4.runtime.Parser;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.atn.ATN;
 import org.antlr.v4.runtime.atn.ATNConfig;
 import org.antlr.v4.runtime.atn.Transition;
@@ -20,7 +21,7 @@ import java.util.Set;
 
 /** What could have stood in place of an offending token, in words. */
 final class Expectation {
-    private static final int MOST_WORDS = 5;
+    private static final int MOST_WORDS = 6;
 
     /** Named before other tokens, because one of them is what most often was forgotten. */
     private static final String[] TELLING = {"';'", "','", "')'", "']'", "'}'", "'->'"};
@@ -43,7 +44,31 @@ final class Expectation {
             return typesBehind(prediction);
         }
         IntervalSet expected = error.getExpectedTokens();
-        return expected == null ? new IntervalSet() : new IntervalSet(expected);
+        IntervalSet types = expected == null ? new IntervalSet() : new IntervalSet(expected);
+        types.addAll(headerWords(error, types));
+        return types;
+    }
+
+    /**
+     * Where a definition is to begin, the file may begin as well, or import more: that is decided
+     * before the definition is looked at, and unknown to it.
+     */
+    private static IntervalSet headerWords(RecognitionException error, IntervalSet others) {
+        IntervalSet words = new IntervalSet();
+        if (error.getCtx() == null
+                || error.getCtx().parent != null
+                || others.contains(Token.EOF)
+                || !(error.getInputStream() instanceof TokenStream tokens)) {
+            return words;
+        }
+        Token before = SyntaxErrorMessage.before(tokens, error.getOffendingToken());
+        if (before == null) {
+            words.add(typeOf("'package'"));
+        }
+        if (before == null || before.getType() == ArcomatLexer.SEMICOLON) {
+            words.add(typeOf("'import'"));
+        }
+        return words;
     }
 
     /** Where prediction died after looking ahead, its last configurations tell. */

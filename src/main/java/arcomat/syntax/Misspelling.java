@@ -37,8 +37,10 @@ record Misspelling(Token written, String meant) {
     /** Empty where no keyword is near. */
     static Optional<Misspelling> of(Parser parser, RecognitionException error) {
         Token found = error.getOffendingToken();
-        Optional<Misspelling> here =
-                isWord(found) ? near(found, keywords(Expectation.types(error))) : Optional.empty();
+        IntervalSet expected = Expectation.types(error);
+        // A keyword where a name may stand is one of the names, and no repair of a reserved word.
+        boolean isMeant = isWord(found) && !expected.contains(ArcomatLexer.ID);
+        Optional<Misspelling> here = isMeant ? near(found, keywords(expected)) : Optional.empty();
         return here.or(() -> atBeginning(parser, error));
     }
 

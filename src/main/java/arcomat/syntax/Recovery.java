@@ -1,6 +1,7 @@
 package arcomat.syntax;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.RestOfFile;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
@@ -24,6 +25,7 @@ import java.util.Set;
  * innermost one. Nothing is guessed inside an element: that is what makes errors cascade.
  */
 final class Recovery extends DefaultErrorStrategy {
+    /** Of a file; that there are more is one more finding. */
     private static final int MOST_FINDINGS = 50;
 
     /** Contexts that are followed by a sibling or by the brace that closes their parent. */
@@ -125,11 +127,21 @@ final class Recovery extends DefaultErrorStrategy {
         }
         beginErrorCondition(parser);
         Token found = error.getOffendingToken();
-        if (!isEcho(error) && !endReported && findings.size() < MOST_FINDINGS) {
-            findings.add(new SyntaxErrorMessage(file, parser, error).finding());
+        if (!isEcho(error) && !endReported) {
+            tell(parser, error);
         }
         lineOfLastError = found.getLine();
         endReported |= found.getType() == Token.EOF;
+    }
+
+    private void tell(Parser parser, RecognitionException error) {
+        if (findings.size() <= MOST_FINDINGS) {
+            Diagnostic finding = new SyntaxErrorMessage(file, parser, error).finding();
+            findings.add(
+                    findings.size() < MOST_FINDINGS
+                            ? finding
+                            : RestOfFile.from(finding.span(), MOST_FINDINGS));
+        }
     }
 
     /** The rest of a line that was skipped in part says nothing new. */

@@ -17,10 +17,13 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 
 /** From an error of ANTLR's to a finding in the user's terms. */
 final class SyntaxErrorMessage {
     private static final int LONGEST_QUOTE = 30;
+    private static final Set<String> DEFINITIONS =
+            Set.of("component", "abstract", "deploy", "automaton", "classdiagram", "testsuite");
 
     private final SourceFile file;
     private final Parser parser;
@@ -39,6 +42,9 @@ final class SyntaxErrorMessage {
     Diagnostic finding() {
         if (isDefinitionMissing()) {
             return Language.of(file).nothingDefined(file, found.getStartIndex());
+        }
+        if (found.getType() == ArcomatLexer.UNKNOWN && !isHalfOperator()) {
+            return UnknownCharacter.finding(span(found));
         }
         if (isSemicolonMissing(parser, error)) {
             Token before = Objects.requireNonNull(before(parser.getInputStream(), found));
@@ -113,14 +119,22 @@ final class SyntaxErrorMessage {
                             found.getText().repeat(2),
                             found.getText().equals("&") ? "and" : "or");
         }
-        if (found.getType() == ArcomatLexer.UNKNOWN || found.getText().equals("#")) {
-            return "The character " + quoted + " has no meaning here. Remove it.";
+        if (found.getText().equals("#")) {
+            return UnknownCharacter.finding(span(found)).message();
         }
         if (found.getText().equals("=") && isInCondition()) {
             return "'=' does not compare. Write '==' for \"is equal to\".";
         }
+        if (found.getText().equals("if") && isInAutomaton()) {
+            return "'if' begins no transition. Write its condition in brackets behind its states:"
+                    + " 'from -> to [condition] / {port = value};'.";
+        }
         if (isReservedWord() && expected.contains(ArcomatLexer.ID)) {
             return quoted + " is a reserved word and cannot be a name. Choose another name.";
+        }
+        if (expected.size() == 1 && expected.contains(Token.EOF) && isDefinition()) {
+            return "A file has one definition, and this is another one. Move it to a file of its"
+                    + " own, or look for a '}' too many above.";
         }
         if (expected.size() == 1 && expected.contains(Token.EOF)) {
             return quoted
@@ -141,6 +155,17 @@ final class SyntaxErrorMessage {
             }
         }
         return false;
+    }
+
+    private boolean isInAutomaton() {
+        return error.getCtx() != null
+                && (error.getCtx().getRuleIndex() == ArcomatParser.RULE_automaton
+                        || error.getCtx().getRuleIndex() == ArcomatParser.RULE_automatonElement);
+    }
+
+    /** Whether a definition of the file's language begins here. */
+    private boolean isDefinition() {
+        return DEFINITIONS.contains(found.getText());
     }
 
     private boolean isReservedWord() {
@@ -165,7 +190,7 @@ final class SyntaxErrorMessage {
     }
 
     /** The last token of the languages before another, null before the first. */
-    private static @Nullable Token before(TokenStream tokens, Token token) {
+    static @Nullable Token before(TokenStream tokens, Token token) {
         for (int i = token.getTokenIndex() - 1; i >= 0; i--) {
             if (tokens.get(i).getChannel() == Token.DEFAULT_CHANNEL) {
                 return tokens.get(i);
@@ -183,8 +208,10 @@ final class SyntaxErrorMessage {
 
     private static String quote(Span span) {
         String text = span.text();
-        return "'"
-                + (text.length() > LONGEST_QUOTE ? text.substring(0, LONGEST_QUOTE) + "…" : text)
-                + "'";
+        if (text.length() <= LONGEST_QUOTE) {
+            return "'" + text + "'";
+        }
+        boolean isSplit = Character.isHighSurrogate(text.charAt(LONGEST_QUOTE - 1));
+        return "'" + text.substring(0, LONGEST_QUOTE - (isSplit ? 1 : 0)) + "…'";
     }
 }

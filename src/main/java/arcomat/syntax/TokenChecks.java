@@ -1,7 +1,10 @@
 package arcomat.syntax;
 
+import arcomat.source.ComposedForm;
 import arcomat.source.Diagnostic;
+import arcomat.source.Signs;
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
 
 import org.antlr.v4.runtime.Token;
@@ -31,6 +34,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
         List<Diagnostic> findings = new ArrayList<>(0);
         boolean empty = true;
         boolean invariants = false;
+        boolean marks = ComposedForm.firstMark(file.text()) >= 0;
         for (Token token : tokens) {
             if (token.getChannel() != Token.DEFAULT_CHANNEL || token.getType() == Token.EOF) {
                 continue;
@@ -45,6 +49,11 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
                 findings.add(unclosedString(file, token));
             } else if (token.getType() == ArcomatLexer.UNCLOSED_COMMENT) {
                 findings.add(unclosedComment(file, token));
+            } else if (token.getType() == ArcomatLexer.UNKNOWN
+                    && Signs.changesDirection(token.getText().codePointAt(0))) {
+                findings.add(UnknownCharacter.finding(span(file, token)));
+            } else if (marks && token.getType() == ArcomatLexer.ID) {
+                findings.addAll(strayMark(file, token));
             }
         }
         if (empty) {
@@ -65,6 +74,21 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
                                 + " long expression by variables, or a component's parts by"
                                 + " components of their own.",
                         limit));
+    }
+
+    /** An accent that is no part of a letter. */
+    private static List<Diagnostic> strayMark(SourceFile file, Token name) {
+        String normal = ComposedForm.of(name.getText());
+        int stray = ComposedForm.firstMark(normal);
+        if (stray < 0) {
+            return List.of();
+        }
+        int start = name.getStartIndex() + name.getText().indexOf(normal.charAt(stray));
+        return List.of(UnknownCharacter.finding(file.span(start, start + 1)));
+    }
+
+    private static Span span(SourceFile file, Token token) {
+        return file.span(token.getStartIndex(), token.getStopIndex() + 1);
     }
 
     private static Diagnostic unclosedString(SourceFile file, Token token) {

@@ -10,6 +10,7 @@ import arcomat.model.Component;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Scenario;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,6 +25,7 @@ import java.util.Map;
 class MonitorsOnTheBrickTest {
     @TempDir private Path folder;
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"requirements, p.Door", "lively, p.Lively", "lively, p.Chatty", "events, p.Bell"})
     void passTheCheckWithoutAWarning(String file, String name) throws IOException {

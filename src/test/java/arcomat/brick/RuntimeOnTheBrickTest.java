@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.source.SourceFile;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -19,6 +20,7 @@ import java.util.stream.Stream;
 class RuntimeOnTheBrickTest {
     private static final Path RUNTIME = Path.of("lejos-runtime/rt/src/main/java");
 
+    @Tag("slow")
     @Test
     void compilesAgainstTheBrickAndPassesTheCheck(@TempDir Path folder) throws IOException {
         SourceFile[] sources = sources().toArray(new SourceFile[0]);

@@ -117,6 +117,10 @@ class ChecksTest {
         assertThat(count(mended, data.profile(), finding.code()))
                 .as("findings %s after: %s", finding.code(), finding.fix().get().title())
                 .isLessThan(before);
+        assertThat(Checking.review(mended, data.profile()).findings())
+                .as("findings after: %s", finding.fix().get().title())
+                .hasSizeLessThanOrEqualTo(
+                        Checking.review(data.files(), data.profile()).findings().size());
     }
 
     private static long count(List<SourceFile> files, Profile profile, String code) {

@@ -61,6 +61,7 @@ class LayoutTest {
                         HouseLanguages.reader()));
     }
 
+    @Tag("slow")
     @Test
     void coffeeService() {
         List<Graph> graphs = graphs(coffee());
@@ -184,12 +185,14 @@ class LayoutTest {
         return Lowering.lower(workspace);
     }
 
+    @net.jqwik.api.Tag("slow")
     @Property(tries = 150)
     void anyComposition(@ForAll @IntRange(min = 0) int seed) {
         Graph graph = ComponentGraph.of(RandomModels.composite(seed), ALL);
         assertThat(Overlaps.in(svg(graph))).isEmpty();
     }
 
+    @net.jqwik.api.Tag("slow")
     @Property(tries = 150)
     void anyAutomaton(@ForAll @IntRange(min = 0) int seed) {
         Component component = RandomModels.automaton(seed);
@@ -198,6 +201,7 @@ class LayoutTest {
     }
 
     /** An arrow may cross the box of states that it has nothing to do with; nothing else may. */
+    @net.jqwik.api.Tag("slow")
     @Property(tries = 100)
     void anyAutomatonInBoxes(@ForAll @IntRange(min = 0) int seed) {
         Component component = RandomModels.automaton(seed);
@@ -214,6 +218,7 @@ class LayoutTest {
     }
 
     /** The run, and any automaton on both sides with any marks. */
+    @net.jqwik.api.Tag("slow")
     @Property(tries = 50)
     void anyFailure(@ForAll @IntRange(min = 0) int seed) {
         Component component = RandomModels.automaton(seed);

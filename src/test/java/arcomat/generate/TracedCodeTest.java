@@ -7,6 +7,7 @@ import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.symbols.Scenario;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -71,6 +72,7 @@ class TracedCodeTest {
     /**
      * So many transitions that a state has several methods, and so many states that these share.
      */
+    @Tag("slow")
     @Test
     void inMethodsOfTheirOwnToo() {
         assertThat(check(large("a, b", 900, i -> "a -> b"))).isEqualTo(1800);

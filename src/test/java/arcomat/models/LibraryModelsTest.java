@@ -9,28 +9,17 @@ import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.signatures.Layer;
 import arcomat.syntax.Formatter;
-import arcomat.syntax.Parser;
-import arcomat.translate.HouseLanguages;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
-import java.util.stream.Stream;
 
 /** The model library is flawless, documented, and fits its layers. */
 class LibraryModelsTest {
     private static final List<SourceFile> FILES = ModelFiles.under(ModelFiles.LIBRARY);
-    private static final Workspace WORKSPACE =
-            Workspace.of(
-                    FILES.stream().map(file -> Parser.parse(file).unit().orElseThrow()).toList(),
-                    Set.of(),
-                    HouseLanguages.reader());
+    private static final Workspace WORKSPACE = ReadModels.workspace(FILES);
 
     @ParameterizedTest
     @EnumSource
@@ -77,29 +66,5 @@ class LibraryModelsTest {
 
     private static boolean isPlace(String type) {
         return type.contains("Port") || type.contains("Key");
-    }
-
-    /** The reference has every component with its parameters and ports. */
-    @Test
-    void theReferenceIsComplete() throws IOException {
-        List<String> rows =
-                Files.readAllLines(Path.of("docs/platform.md")).stream()
-                        .filter(line -> line.startsWith("| `"))
-                        .toList();
-        assertThat(rows).hasSameSizeAs(WORKSPACE.components());
-        for (ComponentSymbol component : WORKSPACE.components()) {
-            assertThat(rows)
-                    .filteredOn(row -> row.matches("\\| `" + component.name() + "[`<].*"))
-                    .as(component.name())
-                    .singleElement()
-                    .satisfies(row -> assertThat(row).contains(names(component)));
-        }
-    }
-
-    private static List<String> names(ComponentSymbol component) {
-        return Stream.concat(
-                        component.parameters().stream().map(parameter -> parameter.name()),
-                        component.ports().stream().map(port -> "`" + port.name() + "`"))
-                .toList();
     }
 }

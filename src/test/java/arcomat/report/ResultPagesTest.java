@@ -32,22 +32,6 @@ import java.util.List;
 
 /** What pages tell about runs and tests, before a browser shows it. */
 class ResultPagesTest {
-    static final String DOOR =
-            """
-            component Door {
-              timing instant;
-              port in Boolean button, out Boolean open;
-              <<completion = "ignore">> automaton {
-                variable Integer[0..9] left = 0;
-                state closed, opened;
-                initial closed;
-                closed -> opened {button == true} / {open = true, left = 2};
-                opened [left > 0] / {left = left - 1};
-                opened -> closed [left == 0] / {open = false};
-              }
-            }
-            """;
-
     @TempDir private Path folder;
 
     private void write(String file, String text) throws IOException {
@@ -63,7 +47,7 @@ class ResultPagesTest {
 
     @Test
     void aFailingTestShowsWhatWasExpected() throws Exception {
-        write("Door.arc", DOOR);
+        write("Door.arc", DoorModel.DOOR);
         write(
                 "DoorTest.mt",
                 """
@@ -87,7 +71,7 @@ class ResultPagesTest {
 
     @Test
     void aPartMayBeCalledState() throws Exception {
-        write("Door.arc", DOOR);
+        write("Door.arc", DoorModel.DOOR);
         write(
                 "House.arc",
                 """
@@ -222,7 +206,7 @@ class ResultPagesTest {
 
     @Test
     void statesAndTransitionsAreMarked() throws Exception {
-        write("Door.arc", DOOR);
+        write("Door.arc", DoorModel.DOOR);
         write(
                 "DoorTest.mt",
                 """
@@ -254,7 +238,7 @@ class ResultPagesTest {
 
     @Test
     void aTestTellsWhatDidNotFire() throws Exception {
-        write("Door.arc", DOOR);
+        write("Door.arc", DoorModel.DOOR);
         write(
                 "DoorTest.mt",
                 """

@@ -63,7 +63,7 @@ class ReadingTest {
                     "f(a)",
                     "new");
 
-    @Property(seed = "1", tries = 4000)
+    @Property(seed = "1", tries = 2000)
     void itemsAreReadAsByTheExactMode(@ForAll("items") List<String> words) {
         check("automaton A { state s; s {" + String.join(" ", words) + "} / {a = 1}; s -> s; }");
     }

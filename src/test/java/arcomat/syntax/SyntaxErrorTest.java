@@ -3,6 +3,8 @@ package arcomat.syntax;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.Fix;
+import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -33,6 +35,43 @@ class SyntaxErrorTest {
         }
         assertThat(seen).isEqualTo(Samples.read(golden));
         assertThat(text(Formatter.format(Samples.file(path)).findings())).isEqualTo(seen);
+    }
+
+    /** A repair may uncover what was not read before; what it is about is well then. */
+    @TestFactory
+    List<DynamicTest> repairsRepair() {
+        List<DynamicTest> tests = new ArrayList<>();
+        for (Path path : Samples.in("errors", ".findings")) {
+            SourceFile file = Samples.file(path);
+            for (Diagnostic finding : Parser.parse(file).findings()) {
+                finding.fix()
+                        .ifPresent(
+                                fix ->
+                                        tests.add(
+                                                DynamicTest.dynamicTest(
+                                                        path.getFileName() + ": " + fix.title(),
+                                                        () -> repair(file, fix))));
+            }
+        }
+        return tests;
+    }
+
+    private static void repair(SourceFile file, Fix fix) {
+        Fix.TextEdit edit = fix.edits().get(0);
+        String text = file.text();
+        String mended =
+                text.substring(0, edit.span().start())
+                        + edit.text()
+                        + text.substring(edit.span().end());
+        List<Diagnostic> after = Parser.parse(new SourceFile(file.path(), mended)).findings();
+        assertThat(after).hasSizeLessThanOrEqualTo(Parser.parse(file).findings().size());
+        int end = edit.span().start() + edit.text().length();
+        assertThat(after)
+                .noneMatch(
+                        each ->
+                                each.span().start() >= edit.span().start()
+                                        && each.span().start()
+                                                < Math.max(end, edit.span().start() + 1));
     }
 
     private static String text(List<Diagnostic> findings) {

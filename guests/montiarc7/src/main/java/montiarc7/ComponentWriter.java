@@ -18,6 +18,7 @@ import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
 import montiarc7.grammar.MontiArc7Parser.ModesElementContext;
 import montiarc7.grammar.MontiArc7Parser.NameContext;
 import montiarc7.grammar.MontiArc7Parser.ParameterContext;
+import montiarc7.grammar.MontiArc7Parser.ParentContext;
 import montiarc7.grammar.MontiArc7Parser.PortDeclarationContext;
 import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
 import montiarc7.grammar.MontiArc7Parser.SoleModeElementContext;
@@ -38,6 +39,7 @@ import org.antlr.v4.runtime.tree.ParseTree;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -89,6 +91,8 @@ final class ComponentWriter {
         StringBuilder written = new StringBuilder(head());
         if (variants.behave()) {
             variants.byEvents().ifPresent(each -> written.append(timing(each)));
+        } else if (variants.isSynchronousInterface()) {
+            written.append(timing(false));
         }
         if (hasInner()) {
             written.append("autoinstantiate off;\n");
@@ -138,19 +142,7 @@ final class ComponentWriter {
                     Lack.PARENTS, component.parent(1), "a component of Arcomat extends one other");
         }
         if (!component.parent().isEmpty()) {
-            var parent = component.parent(0);
-            if (folder.component(parent.type().qname().getText())
-                    .filter(this::hasSwitches)
-                    .isPresent()) {
-                lacks.missing(
-                        Lack.VARIABILITY,
-                        parent,
-                        "'%s' has variants, which a component that extends it cannot choose"
-                                .formatted(parent.type().getText()));
-            }
-            head.append(" extends ")
-                    .append(types.component(parent.type()))
-                    .append(parts(scope).given(parent.arguments()));
+            head.append(" extends ").append(parent(component.parent(0)));
         }
         head.append(" {\n");
         if (!switches.names().isEmpty()) {
@@ -161,6 +153,26 @@ final class ComponentWriter {
             head.append("feature ").append(String.join(", ", features.open())).append(";\n");
         }
         return head.toString();
+    }
+
+    private String parent(ParentContext parent) {
+        Optional<ComponentContext> known = folder.component(parent.type().qname().getText());
+        if (known.filter(this::hasSwitches).isPresent()) {
+            lacks.missing(
+                    Lack.VARIABILITY,
+                    parent,
+                    "'%s' has variants, which a component that extends it cannot choose"
+                            .formatted(parent.type().getText()));
+        } else {
+            known.ifPresent(
+                    each ->
+                            new ParentArguments(parent, each, OpenFeatures.all(each, folder), lacks)
+                                    .check());
+        }
+        String given = parts(scope).given(parent.arguments());
+        boolean isDefault =
+                given.isEmpty() && known.filter(each -> each.parameters() != null).isPresent();
+        return types.component(parent.type()) + (isDefault ? "()" : given);
     }
 
     private boolean hasSwitches(ComponentContext component) {
@@ -244,6 +256,9 @@ final class ComponentWriter {
     }
 
     private String variation(VariationElementContext variation, List<Side> sides) {
+        if (Placed.isDecided(variation)) {
+            return elements(Placed.decided(variation), sides);
+        }
         String condition = features.condition(variation.expression());
         String then = elements(variation.element(), 0, Placed.and(sides, variation, true));
         if (variation.element().size() == 1) {

@@ -7,8 +7,8 @@ import montiarc7.grammar.MontiArc7Parser.ComponentContext;
 import montiarc7.grammar.MontiArc7Parser.ConstraintElementContext;
 import montiarc7.grammar.MontiArc7Parser.ExpressionContext;
 import montiarc7.grammar.MontiArc7Parser.InstanceElementContext;
-import montiarc7.grammar.MontiArc7Parser.LiteralExpressionContext;
 import montiarc7.grammar.MontiArc7Parser.PrefixExpressionContext;
+import montiarc7.source.Constants;
 import montiarc7.source.Folder;
 import montiarc7.source.Lack;
 import montiarc7.source.Lacks;
@@ -227,6 +227,7 @@ final class Features {
         List<String> left =
                 Guards.parts(constraint.expression()).stream()
                         .filter(each -> Choices.ofPart(each).isEmpty())
+                        .filter(each -> !Constants.truth(each).equals(Optional.of(true)))
                         .map(this::condition)
                         .toList();
         return Optional.of(String.join(" && ", left)).filter(each -> !left.isEmpty());
@@ -234,16 +235,16 @@ final class Features {
 
     /** A condition, of features and nothing else. */
     String condition(ExpressionContext expression) {
-        if (expression instanceof BracketExpressionContext bracket) {
+        Optional<Boolean> constant = Constants.truth(expression);
+        if (constant.isPresent()) {
+            return constant.get().toString();
+        } else if (expression instanceof BracketExpressionContext bracket) {
             return "(" + condition(bracket.expression()) + ")";
         } else if (expression instanceof PrefixExpressionContext prefix
                 && prefix.op.getText().equals("!")) {
             return "!" + condition(prefix.expression());
         } else if (expression instanceof BinaryExpressionContext binary) {
             return switches.comparison(binary).map(this::own).orElseGet(() -> both(binary));
-        } else if (expression instanceof LiteralExpressionContext
-                && expression.getText().matches("true|false")) {
-            return expression.getText();
         } else if (own.containsKey(expression.getText())) {
             return own.get(expression.getText());
         }

@@ -7,6 +7,7 @@ import montiarc7.grammar.MontiArc7Parser.PortsElementContext;
 import montiarc7.grammar.MontiArc7Parser.UnitContext;
 import montiarc7.source.Folder;
 import montiarc7.source.Lacks;
+import montiarc7.source.Placed;
 import montiarc7.source.TypeNames;
 
 import java.util.HashSet;
@@ -31,7 +32,11 @@ final class MapSide {
         this.name = unit.component().name(0).getText();
         TypeNames types = new TypeNames(unit, folder, lacks);
         types.enter(unit.component());
-        for (ElementContext element : unit.component().element()) {
+        for (Placed placed : Placed.of(unit.component().element())) {
+            ElementContext element = placed.element();
+            if (!placed.sides().isEmpty()) {
+                continue;
+            }
             if (element instanceof PortsElementContext ports) {
                 ports.portDeclaration().forEach(each -> add(each, types));
             } else if (element instanceof AutomatonElementContext automaton) {

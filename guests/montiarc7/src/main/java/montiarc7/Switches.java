@@ -11,6 +11,7 @@ import montiarc7.grammar.MontiArc7Parser.NameExpressionContext;
 import montiarc7.grammar.MontiArc7Parser.ParameterContext;
 import montiarc7.grammar.MontiArc7Parser.VariationElementContext;
 import montiarc7.source.Folder;
+import montiarc7.source.Placed;
 
 import org.antlr.v4.runtime.tree.ParseTree;
 
@@ -60,6 +61,10 @@ final class Switches {
             ParseTree tree, boolean decides, Set<String> deciding, Set<String> read) {
         if (tree instanceof NameExpressionContext name) {
             (decides ? deciding : read).add(name.getText());
+        }
+        if (tree instanceof VariationElementContext variation && Placed.isDecided(variation)) {
+            Placed.decided(variation).forEach(each -> collect(each, false, deciding, read));
+            return;
         }
         boolean isCondition =
                 tree instanceof VariationElementContext || tree instanceof ConstraintElementContext;

@@ -101,6 +101,11 @@ final class Timing {
         return events || isUntimed && !ticks;
     }
 
+    /** Whether all that happens belongs to slices, as it says itself. */
+    boolean isSynchronous() {
+        return isSynchronous;
+    }
+
     boolean isDelayed(String port) {
         return allDelayed || delayed.contains(port);
     }

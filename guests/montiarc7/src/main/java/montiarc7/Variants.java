@@ -1,10 +1,16 @@
 package montiarc7;
 
+import montiarc7.grammar.MontiArc7Parser.AutoElementContext;
 import montiarc7.grammar.MontiArc7Parser.AutomatonElementContext;
 import montiarc7.grammar.MontiArc7Parser.BlockContext;
 import montiarc7.grammar.MontiArc7Parser.ComponentContext;
 import montiarc7.grammar.MontiArc7Parser.ComputeElementContext;
+import montiarc7.grammar.MontiArc7Parser.ConnectorElementContext;
+import montiarc7.grammar.MontiArc7Parser.ElementContext;
 import montiarc7.grammar.MontiArc7Parser.InitElementContext;
+import montiarc7.grammar.MontiArc7Parser.InnerElementContext;
+import montiarc7.grammar.MontiArc7Parser.InstanceElementContext;
+import montiarc7.grammar.MontiArc7Parser.ModesElementContext;
 import montiarc7.grammar.MontiArc7Parser.NameContext;
 import montiarc7.source.Lack;
 import montiarc7.source.Lacks;
@@ -49,6 +55,24 @@ final class Variants {
         return !behaviours.isEmpty();
     }
 
+    /**
+     * Whether nothing is known of it but its ports, which are in time with slices: somebody else
+     * says what it does, and its outputs may depend on inputs of the same slice.
+     */
+    boolean isSynchronousInterface() {
+        return behaviours.isEmpty()
+                && elements.stream().noneMatch(each -> isStructure(each.element()))
+                && timing(List.of(), lacks.unheard()).isSynchronous();
+    }
+
+    private static boolean isStructure(ElementContext element) {
+        return element instanceof InstanceElementContext
+                || element instanceof InnerElementContext
+                || element instanceof ConnectorElementContext
+                || element instanceof AutoElementContext
+                || element instanceof ModesElementContext;
+    }
+
     /** Whether steps are events, where all variants agree. */
     Optional<Boolean> byEvents() {
         return byEvents;
@@ -70,6 +94,9 @@ final class Variants {
 
     /** Whether a port sends one slice later; variants that have the port agree on that. */
     boolean isLate(NameContext port, List<Side> sides) {
+        if (isSynchronousInterface()) {
+            return timing(sides, lacks.unheard()).isDelayed(port.getText());
+        }
         Set<Boolean> said = new HashSet<>();
         for (Placed each : behaviours) {
             if (each.goesWith(sides)) {

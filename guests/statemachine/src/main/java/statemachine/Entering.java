@@ -13,17 +13,29 @@ import java.util.Optional;
 
 /** Where a step ends up that enters a state, and what is done on the way. */
 record Entering(StateTree states) {
+    /** Stands for the simple state that was the last, where the machine has not been yet. */
+    static final int NOT_YET = -1;
+
     /**
-     * @param last numbers of the simple states that have to have been the last; empty where that
-     *     does not matter
+     * @param last numbers of the simple states that have to have been the last, or {@link
+     *     #NOT_YET}; empty where that does not matter
      */
-    record Way(State leaf, List<Action> actions, List<Integer> last) {}
+    record Way(State leaf, List<Action> actions, List<Integer> last) {
+        Way after(List<Integer> others) {
+            return new Way(leaf, actions, List.copyOf(others));
+        }
+    }
 
     /** To begin with. */
     Way beginning() {
         List<Action> actions = new ArrayList<>();
         State leaf = begin(states.root(), actions);
         return new Way(leaf, actions, List.of());
+    }
+
+    /** The number of the simple state that a state begins with. */
+    int first(State state) {
+        return states.leaves(state).indexOf(begin(state, new ArrayList<>()));
     }
 
     /**
@@ -35,31 +47,42 @@ record Entering(StateTree states) {
     List<Way> into(List<State> outer, Memory memory, Optional<State> current) {
         State target = outer.get(outer.size() - 1);
         if (memory == Memory.NONE || target.isSimple()) {
-            List<Action> actions = entries(outer);
-            return List.of(new Way(begin(target, actions), actions, List.of()));
+            return List.of(throughBeginning(outer));
         }
+        if (current.isPresent()) {
+            return List.of(through(outer, goal(target, current.get(), memory)));
+        }
+        Map<Way, List<Integer>> ways = new LinkedHashMap<>();
+        add(ways, throughBeginning(outer), NOT_YET);
         List<State> leaves = states.leaves(target);
-        Map<State, List<Integer>> goals = new LinkedHashMap<>();
         for (int i = 0; i < leaves.size(); i++) {
-            if (current.isEmpty() || current.get().equals(leaves.get(i))) {
-                goals.computeIfAbsent(goal(target, leaves.get(i), memory), key -> new ArrayList<>())
-                        .add(i);
-            }
+            add(ways, through(outer, goal(target, leaves.get(i), memory)), i);
         }
-        List<Way> ways = new ArrayList<>();
-        goals.forEach(
-                (goal, last) -> {
-                    List<Action> actions = entries(outer);
-                    List<State> path = states.path(goal);
-                    actions.addAll(entries(path.subList(states.path(target).size(), path.size())));
-                    State leaf = begin(goal, actions);
-                    ways.add(new Way(leaf, actions, goals.size() == 1 ? List.of() : last));
-                });
-        return ways;
+        return ways.entrySet().stream().map(each -> each.getKey().after(each.getValue())).toList();
+    }
+
+    /** The beginning is no way of its own where it is what going on with a state is. */
+    private static void add(Map<Way, List<Integer>> ways, Way way, int last) {
+        ways.computeIfAbsent(way, key -> new ArrayList<>()).add(last);
     }
 
     private State goal(State target, State leaf, Memory memory) {
         return memory == Memory.DEEP ? leaf : states.path(leaf).get(states.path(target).size());
+    }
+
+    private Way throughBeginning(List<State> outer) {
+        List<Action> actions = entries(outer);
+        State leaf = begin(outer.get(outer.size() - 1), actions);
+        return new Way(leaf, actions, List.of());
+    }
+
+    /** Past the beginning of the target, to a state in it. */
+    private Way through(List<State> outer, State goal) {
+        int depth = states.path(outer.get(outer.size() - 1)).size();
+        List<Action> actions = entries(outer);
+        List<State> path = states.path(goal);
+        actions.addAll(entries(path.subList(depth, path.size())));
+        return new Way(begin(goal, actions), actions, List.of());
     }
 
     private static List<Action> entries(List<State> entered) {
@@ -73,7 +96,7 @@ record Entering(StateTree states) {
         State current = entered;
         while (!current.isSimple()) {
             Beginning initial = current.initial().orElseThrow();
-            initial.action().ifPresent(actions::add);
+            initial.action().filter(action -> !action.items().isEmpty()).ifPresent(actions::add);
             current = states.state(initial.state());
             current.entry().ifPresent(actions::add);
         }

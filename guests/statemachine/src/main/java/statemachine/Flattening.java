@@ -9,7 +9,6 @@ import statemachine.Machine.Action;
 import statemachine.Machine.Beginning;
 import statemachine.Machine.Item;
 import statemachine.Machine.Label;
-import statemachine.Machine.Memory;
 import statemachine.Machine.State;
 import statemachine.Machine.Target;
 import statemachine.Machine.Transition;
@@ -33,7 +32,6 @@ final class Flattening {
     private final StateTree states;
     private final Meaning meaning;
     private final StepActions actions;
-    private final Remembered remembered;
     private final Entering entering;
 
     Flattening(Machine machine, StateTree states, Meaning meaning) {
@@ -41,14 +39,46 @@ final class Flattening {
         this.states = states;
         this.meaning = meaning;
         this.actions = new StepActions(machine.variables(), meaning);
-        this.remembered = Remembered.in(states);
         this.entering = new Entering(states);
     }
 
     /** A transition out of one simple state. */
-    private record Arrow(Transition transition, State source, List<State> left, Way way) {}
+    record Arrow(Transition transition, State source, List<State> left, Way way) {
+        /** Of one that leads somewhere. */
+        State goal(StateTree states) {
+            return states.state(transition.target().orElseThrow().state());
+        }
+
+        Arrow after(List<Integer> last) {
+            return new Arrow(transition, source, left, way.after(last));
+        }
+    }
 
     void write() {
+        List<Arrow> all = arrows();
+        if (all.size() > MOST) {
+            Mistake.TOO_LARGE.tell(
+                    meaning,
+                    machine.root().name().place(),
+                    "this machine has more than %d transitions between its simple states;"
+                            + " make several of it",
+                    MOST);
+            return;
+        }
+        Histories histories = Histories.of(all, states, entering);
+        List<Arrow> arrows =
+                all.stream().flatMap(each -> histories.possible(each).stream()).toList();
+        Remembered remembered = Remembered.by(arrows, states, entering);
+        variables(remembered);
+        states.leaves(states.root()).forEach(this::state);
+        meaning.within(List.of());
+        beginning();
+        arrows.forEach(each -> arrow(each, remembered));
+        states.leaves(states.root()).forEach(this::during);
+    }
+
+    /** As many as may be, and some more if there are more. */
+    private List<Arrow> arrows() {
         List<Arrow> arrows = new ArrayList<>();
         for (State leaf : states.leaves(states.root())) {
             for (Transition each : states.transitions()) {
@@ -56,22 +86,11 @@ final class Flattening {
                     arrows.addAll(arrows(leaf, each));
                 }
                 if (arrows.size() > MOST) {
-                    Mistake.TOO_LARGE.tell(
-                            meaning,
-                            machine.root().name().place(),
-                            "this machine has more than %d transitions between its simple states;"
-                                    + " make several of it",
-                            MOST);
-                    return;
+                    return arrows;
                 }
             }
         }
-        variables();
-        states.leaves(states.root()).forEach(this::state);
-        meaning.within(List.of());
-        beginning();
-        arrows.forEach(this::arrow);
-        states.leaves(states.root()).forEach(this::during);
+        return arrows;
     }
 
     private List<Arrow> arrows(State leaf, Transition transition) {
@@ -95,21 +114,13 @@ final class Flattening {
         return path.subList(start, path.size());
     }
 
-    private void variables() {
+    private void variables(Remembered remembered) {
         for (Span each : machine.declarations()) {
             meaning.element(each).write(each, "%s", each.text());
         }
         for (State each : remembered.byName().values()) {
-            List<State> leaves = states.leaves(each);
-            Way first = entering.into(List.of(each), Memory.NONE, Optional.empty()).get(0);
             Span place = each.name().place();
-            meaning.element(place)
-                    .write(
-                            place,
-                            "variable Integer[0..%d] %s = %d;",
-                            leaves.size() - 1,
-                            Remembered.variable(each),
-                            leaves.indexOf(first.leaf()));
+            meaning.element(place).write(place, "%s", remembered.declaration(each));
         }
     }
 
@@ -135,7 +146,7 @@ final class Flattening {
         meaning.write(initial.place(), ";");
     }
 
-    private void arrow(Arrow arrow) {
+    private void arrow(Arrow arrow, Remembered remembered) {
         Transition transition = arrow.transition();
         Span place = transition.place();
         meaning.element(place).rank(rank(states.state(transition.source())));
@@ -149,7 +160,7 @@ final class Flattening {
                         });
         meaning.write(place, " ");
         transition.guard().ifPresent(guard -> meaning.write(guard, "%s", guard.text()));
-        input(arrow);
+        input(arrow, remembered);
         List<Action> done = new ArrayList<>();
         List<State> left = new ArrayList<>(arrow.left());
         Collections.reverse(left);
@@ -194,7 +205,7 @@ final class Flattening {
     }
 
     /** What was the last is asked like a message: guards may be long, and stay as they are. */
-    private void input(Arrow arrow) {
+    private void input(Arrow arrow, Remembered remembered) {
         Transition transition = arrow.transition();
         Optional<Span> written = transition.input();
         if (arrow.way().last().isEmpty()) {
@@ -202,9 +213,11 @@ final class Flattening {
             return;
         }
         Span place = transition.place();
+        State goal = arrow.goal(states);
         String numbers =
-                arrow.way().last().stream().map(String::valueOf).collect(Collectors.joining(", "));
-        State goal = states.state(transition.target().orElseThrow().state());
+                remembered.values(goal, arrow.way().last()).stream()
+                        .map(String::valueOf)
+                        .collect(Collectors.joining(", "));
         meaning.write(place, "{%s == alt {%s}", Remembered.variable(goal), numbers);
         if (written.isPresent()) {
             Span inside = inside(written.get());

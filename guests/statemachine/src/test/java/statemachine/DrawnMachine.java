@@ -5,34 +5,66 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * A machine that was drawn by lot, over two inputs (a, b), two variables (n, m) and three outputs:
- * transitions send on x, entries on y and exits on z; what is done meanwhile sends on w.
+ * A machine that was drawn by lot, over an input (a), two variables (n, m) and outputs: transitions
+ * send on x, and what is done meanwhile on w. Entries send on y, exits on z and beginnings on v,
+ * each with the depth of its state behind it, so that no step sends twice on a port; or, in a
+ * machine that is careless, all of them on y.
  *
  * @param priority {@code inner}, {@code outer}, or nothing
  */
 record DrawnMachine(String priority, Node root, List<Move> moves) {
-    /** A value: a number, or the sum of a number and n, modulo 8. */
-    record Value(boolean n, int number) {
+    static final List<String> PORTS =
+            List.of("x", "w", "y1", "y2", "y3", "z1", "z2", "z3", "v0", "v1", "v2", "y");
+
+    /**
+     * A value: a number, the sum of a number and n, modulo 8, or one that needs a message on a.
+     *
+     * @param number of one that reads a, what it is for {@code false}
+     */
+    record Value(Reads reads, int number) {
         String text() {
-            return n ? "(n + %d) %% 8".formatted(number) : String.valueOf(number);
+            return switch (reads) {
+                case NOTHING -> String.valueOf(number);
+                case N -> "(n + %d) %% 8".formatted(number);
+                case A -> "(a == true ? 1 : %d)".formatted(number);
+            };
         }
+    }
+
+    /** What a value is made of. */
+    enum Reads {
+        NOTHING,
+        N,
+        A
     }
 
     record Write(String name, Value value) {}
 
     /**
-     * @param parts the first of which is where it begins
+     * @param first the name of the part where it begins, if it has parts
+     * @param beginning what is done then
      */
     record Node(
             String name,
             List<Node> parts,
+            String first,
+            List<Write> beginning,
             List<Write> entry,
             List<Write> exit,
             List<Write> during) {
         boolean isSimple() {
             return parts.isEmpty();
+        }
+
+        /** There is no input then. */
+        boolean readsAtTheStart() {
+            return Stream.concat(entry.stream(), beginning.stream())
+                            .anyMatch(write -> write.value().reads() == Reads.A)
+                    || parts.stream()
+                            .anyMatch(part -> part.name().equals(first) && part.readsAtTheStart());
         }
 
         /** It and all that stands in it. */
@@ -57,8 +89,18 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
             List<Write> writes) {}
 
     static DrawnMachine draw(Random random) {
-        Drawing drawing = new Drawing(random);
+        return draw(random, false);
+    }
+
+    /**
+     * @param careless whether steps may send twice on a port
+     */
+    static DrawnMachine draw(Random random, boolean careless) {
+        Drawing drawing = new Drawing(random, careless);
         Node root = drawing.node("", 0);
+        while (root.readsAtTheStart()) {
+            root = drawing.node("", 0);
+        }
         List<Node> states = root.all().subList(1, root.all().size());
         List<Move> moves = new ArrayList<>();
         for (int i = 0; i < 3 + random.nextInt(8); i++) {
@@ -78,7 +120,7 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
         List<Move> others = new ArrayList<>(moves);
         int place = random.nextInt(moves.size());
         Move old = moves.get(place);
-        Move fresh = new Drawing(random).move(states);
+        Move fresh = new Drawing(random, false).move(states);
         others.set(
                 place,
                 new Move(
@@ -93,10 +135,12 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
 
     private static final class Drawing {
         private final Random random;
+        private final boolean careless;
         private int states;
 
-        Drawing(Random random) {
+        Drawing(Random random, boolean careless) {
             this.random = random;
+            this.careless = careless;
         }
 
         Node node(String name, int depth) {
@@ -106,26 +150,38 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
             for (int i = 0; i < parts; i++) {
                 nodes.add(node("s" + states++, depth + 1));
             }
+            List<Write> beginning = new ArrayList<>();
+            if (parts > 0) {
+                maybe(beginning, "n");
+                maybe(beginning, "m");
+                maybe(beginning, port("v", depth));
+            }
             List<Write> entry = new ArrayList<>();
             List<Write> exit = new ArrayList<>();
             List<Write> during = new ArrayList<>();
             if (depth > 0) {
                 maybe(entry, "n");
                 maybe(entry, "m");
+                maybe(entry, port("y", depth));
                 maybe(exit, "m");
+                maybe(exit, port("z", depth));
                 maybe(during, "m");
                 if (parts == 0) {
-                    maybe(entry, "y");
-                    maybe(exit, "z");
                     maybe(during, "w");
                 }
             }
-            return new Node(name, nodes, entry, exit, during);
+            String first = parts == 0 ? "" : nodes.get(random.nextInt(parts)).name();
+            return new Node(name, nodes, first, beginning, entry, exit, during);
+        }
+
+        private String port(String kind, int depth) {
+            return careless ? "y" : kind + depth;
         }
 
         private void maybe(List<Write> writes, String name) {
             if (random.nextInt(3) == 0) {
-                writes.add(new Write(name, new Value(false, random.nextInt(8))));
+                Reads reads = random.nextInt(8) == 0 ? Reads.A : Reads.NOTHING;
+                writes.add(new Write(name, new Value(reads, random.nextInt(8))));
             }
         }
 
@@ -139,10 +195,11 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
                             : List.of("", ".history", ".deepHistory").get(random.nextInt(3));
             List<Write> writes = new ArrayList<>();
             if (random.nextInt(5) > 0) {
-                writes.add(new Write("x", new Value(random.nextBoolean(), random.nextInt(8))));
+                Reads reads = Reads.values()[random.nextInt(3)];
+                writes.add(new Write("x", new Value(reads, random.nextInt(8))));
             }
             if (random.nextInt(3) == 0) {
-                writes.add(new Write("n", new Value(true, random.nextInt(8))));
+                writes.add(new Write("n", new Value(Reads.N, random.nextInt(8))));
             }
             return new Move(
                     source.name(),
@@ -157,12 +214,15 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
         }
     }
 
-    /** As a component. */
+    /**
+     * As a component.
+     *
+     * @param name with what may follow it
+     */
     String text(String name) {
         StringBuilder text = new StringBuilder();
         text.append("component ").append(name).append(" {\n");
-        text.append(
-                "port in Boolean a, out Integer x, out Integer y, out Integer z, out Integer w;\n");
+        text.append(ports());
         text.append("<<completion = \"ignore\">> statemachine {\n");
         text.append("variable Integer[0..7] n = 0, m = 0;\n");
         text.append(priority.isEmpty() ? "" : "priority " + priority + ";\n");
@@ -171,12 +231,20 @@ record DrawnMachine(String priority, Node root, List<Move> moves) {
         return text.append("}\n}\n").toString();
     }
 
+    /** Of each machine. */
+    static String ports() {
+        return PORTS.stream()
+                .map(port -> ", out Integer " + port)
+                .collect(Collectors.joining("", "port in Boolean a", ";\n"));
+    }
+
     private static void write(Node node, StringBuilder text) {
         action("entry", node.entry(), text);
         action("exit", node.exit(), text);
         action("do", node.during(), text);
         if (!node.isSimple()) {
-            text.append("initial ").append(node.parts().get(0).name()).append(";\n");
+            text.append("initial ").append(node.first());
+            text.append(block(node.beginning())).append(";\n");
         }
         for (Node part : node.parts()) {
             text.append("state ").append(part.name()).append(" {\n");

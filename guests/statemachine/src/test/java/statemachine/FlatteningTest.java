@@ -6,17 +6,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import statemachine.ReferenceMachine.Reaction;
-import statemachine.ReferenceMachine.Situation;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
-import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -25,7 +22,6 @@ import java.util.stream.Collectors;
  */
 class FlatteningTest {
     private static final int MACHINES = Integer.getInteger("machines", 100);
-    private static final List<String> PORTS = List.of("x", "y", "z", "w");
     private static final int RUNS = 8;
     private static final int SLICES = 12;
 
@@ -59,9 +55,6 @@ class FlatteningTest {
         assertThat(wrong).isGreaterThan(MACHINES);
     }
 
-    /** What goes in, and what comes out: one slice more, since outputs have a delay. */
-    private record Course(List<Optional<Boolean>> inputs, List<Map<String, Integer>> outputs) {}
-
     private static Course course(DrawnMachine machine, Random random) {
         ReferenceMachine reference = new ReferenceMachine(machine);
         List<Optional<Boolean>> inputs = new ArrayList<>();
@@ -86,14 +79,14 @@ class FlatteningTest {
         boolean other = random.nextBoolean();
         for (int i = 0; i < TRIES && other && !wrong; i++) {
             course = course(machine.variant(random), random);
-            wrong = !isPossible(new ReferenceMachine(machine), course);
+            wrong = !course.isPossible(new ReferenceMachine(machine));
         }
         suite.append("test ")
                 .append(wrong ? "wrong" : "right")
                 .append(name)
                 .append(" {\ninput {\na: <");
         suite.append(stream(course.inputs())).append(">;\n}\nexpect {\n");
-        for (String port : PORTS) {
+        for (String port : DrawnMachine.PORTS) {
             List<Optional<Integer>> sent =
                     course.outputs().stream()
                             .map(each -> Optional.ofNullable(each.get(port)))
@@ -108,26 +101,5 @@ class FlatteningTest {
         return messages.stream()
                 .map(each -> each.map(message -> message + ", ").orElse("") + "Tk")
                 .collect(Collectors.joining(", "));
-    }
-
-    private static boolean isPossible(ReferenceMachine machine, Course course) {
-        List<Optional<Boolean>> inputs = course.inputs();
-        List<Map<String, Integer>> outputs = course.outputs();
-        Set<Situation> possible = new LinkedHashSet<>();
-        if (machine.start().sent().equals(outputs.get(0))) {
-            possible.add(machine.start().next());
-        }
-        for (int i = 0; i < inputs.size(); i++) {
-            Set<Situation> next = new LinkedHashSet<>();
-            for (Situation each : possible) {
-                for (Reaction reaction : machine.reactions(each, inputs.get(i))) {
-                    if (reaction.sent().equals(outputs.get(i + 1))) {
-                        next.add(reaction.next());
-                    }
-                }
-            }
-            possible = next;
-        }
-        return !possible.isEmpty();
     }
 }

@@ -2,14 +2,18 @@ package statemachine;
 
 import statemachine.DrawnMachine.Move;
 import statemachine.DrawnMachine.Node;
+import statemachine.DrawnMachine.Reads;
+import statemachine.DrawnMachine.Value;
 import statemachine.DrawnMachine.Write;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 
@@ -32,13 +36,18 @@ final class ReferenceMachine {
      */
     record Situation(String active, Map<String, String> last, Map<String, Integer> variables) {}
 
+    /** Two messages on a port in one step: the machine means nothing. */
+    static final class SentTwice extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
     /**
      * @param sent by port
      */
     record Reaction(Map<String, Integer> sent, Situation next) {}
 
     Reaction start() {
-        Step step = new Step(Map.of(), Map.of("n", 0, "m", 0));
+        Step step = new Step(Map.of(), Map.of("n", 0, "m", 0), Optional.empty());
         step.begin(machine.root());
         return step.reaction();
     }
@@ -49,20 +58,24 @@ final class ReferenceMachine {
      * @param a the message, if there is one
      */
     List<Reaction> reactions(Situation before, Optional<Boolean> a) {
-        List<Reaction> all = new ArrayList<>();
-        for (Move move : first(enabled(before, a))) {
-            Step step = new Step(before.last(), before.variables());
-            step.take(move, before.active());
-            all.add(step.reaction());
-        }
-        return all.isEmpty() ? List.of(meanwhile(before)) : all;
+        List<Move> enabled = enabled(before, a);
+        return enabled.isEmpty()
+                ? List.of(meanwhile(before, a))
+                : first(enabled).stream().map(move -> step(move, before, a).reaction()).toList();
     }
 
     private List<Move> enabled(Situation before, Optional<Boolean> a) {
         return machine.moves().stream()
                 .filter(move -> path(before.active()).contains(node(move.source())))
                 .filter(move -> isEnabled(move, before, a))
+                .filter(move -> step(move, before, a).isPossible())
                 .toList();
+    }
+
+    private Step step(Move move, Situation before, Optional<Boolean> a) {
+        Step step = new Step(before.last(), before.variables(), a);
+        step.take(move, before.active());
+        return step;
     }
 
     /** Those that come first, if somebody says who does. */
@@ -75,12 +88,15 @@ final class ReferenceMachine {
         return enabled.stream().filter(move -> path(move.source()).size() == first).toList();
     }
 
-    /** What is done where no transition is enabled, from the outermost state on. */
-    private Reaction meanwhile(Situation before) {
-        Step step = new Step(before.last(), before.variables());
+    /**
+     * What is done where no transition is enabled, from the outermost state on; nothing at all, if
+     * something needs a message that is not there.
+     */
+    private Reaction meanwhile(Situation before, Optional<Boolean> a) {
+        Step step = new Step(before.last(), before.variables(), a);
         step.active = before.active();
         path(before.active()).forEach(each -> each.during().forEach(step::write));
-        return step.reaction();
+        return step.isPossible() ? step.reaction() : new Reaction(Map.of(), before);
     }
 
     private static boolean isEnabled(Move move, Situation before, Optional<Boolean> a) {
@@ -119,11 +135,21 @@ final class ReferenceMachine {
         private final Map<String, String> last;
         private final Map<String, Integer> variables;
         private final Map<String, Integer> sent = new TreeMap<>();
+        private final Optional<Boolean> a;
+
+        /** What has its value, in the end, from a message that is not there. */
+        private final Set<String> missing = new HashSet<>();
+
         private String active = "";
 
-        Step(Map<String, String> last, Map<String, Integer> variables) {
+        Step(Map<String, String> last, Map<String, Integer> variables, Optional<Boolean> a) {
+            this.a = a;
             this.last = new HashMap<>(last);
             this.variables = new HashMap<>(variables);
+        }
+
+        boolean isPossible() {
+            return missing.isEmpty();
         }
 
         Reaction reaction() {
@@ -174,21 +200,32 @@ final class ReferenceMachine {
         void begin(Node state) {
             active = state.name();
             if (!state.isSimple()) {
-                Node first = state.parts().get(0);
+                state.beginning().forEach(this::write);
+                Node first = node(state.first());
                 first.entry().forEach(this::write);
                 begin(first);
             }
         }
 
         private void write(Write write) {
-            int n = write.value().n() ? variables.get("n") : 0;
-            int value =
-                    write.value().n() ? (n + write.value().number()) % 8 : write.value().number();
+            missing.remove(write.name());
+            if (write.value().reads() == Reads.A && a.isEmpty()) {
+                missing.add(write.name());
+            }
+            int value = value(write.value());
             if (variables.containsKey(write.name())) {
                 variables.put(write.name(), value);
             } else if (sent.put(write.name(), value) != null) {
-                throw new AssertionError("two messages in one step");
+                throw new SentTwice();
             }
+        }
+
+        private int value(Value value) {
+            return switch (value.reads()) {
+                case NOTHING -> value.number();
+                case N -> (variables.get("n") + value.number()) % 8;
+                case A -> a.orElse(false) ? 1 : value.number();
+            };
         }
     }
 }

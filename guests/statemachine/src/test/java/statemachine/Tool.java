@@ -15,6 +15,7 @@ final class Tool {
             throws IOException, InterruptedException {
         List<String> words = new ArrayList<>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        words.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")); // for short work
         words.addAll(List.of("-cp", System.getProperty("tool"), "arcomat.cli.Main", command));
         words.addAll(List.of("--with", System.getProperty("guest")));
         words.addAll(List.of(arguments));

@@ -47,4 +47,34 @@ component Actions {
             two -> one {go == true} / {n = 1, unused = n};
         }
     }
+
+    component TwoOnTheFirstTime {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial outside;
+            state outside;
+            state around {
+                initial one / {x = 0};
+                state one;
+            }
+            outside -> around.history {go == true} / {x = 1};
+            around -> outside {go == true};
+        }
+    }
+
+    component OneOnAllLaterTimes {
+        port in Boolean go, out Integer x;
+
+        statemachine {
+            initial around;
+            state outside;
+            state around {
+                initial one / {x = 0};
+                state one;
+            }
+            outside -> around.history {go == true} / {x = 1};
+            around -> outside {go == true};
+        }
+    }
 }

@@ -5,7 +5,6 @@ import arcomat.analysis.automaton.Finding;
 import arcomat.analysis.contradiction.Consistency;
 import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.refinement.Answered;
-import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
@@ -22,6 +21,7 @@ import arcomat.report.verdict.ConsistencyText;
 import arcomat.report.verdict.ExaminationText;
 import arcomat.report.verdict.VerdictText;
 import arcomat.rt.ModelError;
+import arcomat.semantics.Promise;
 
 import java.util.List;
 import java.util.Locale;

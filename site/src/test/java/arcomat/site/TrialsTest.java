@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 
 import org.commonmark.node.FencedCodeBlock;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
@@ -43,6 +44,7 @@ class TrialsTest {
         shelf = Shelf.of(repository);
     }
 
+    @Tag("slow")
     @Test
     void opensWhatItsPageTellsOf() throws IOException {
         List<String> found = new ArrayList<>();

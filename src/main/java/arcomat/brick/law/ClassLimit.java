@@ -7,11 +7,12 @@ import arcomat.source.Diagnostic;
 import java.util.stream.Stream;
 
 /**
- * ARC0911: a program has at most 256 classes, and 75 are there before the first of the robot's.
+ * ARC0911: a program has at most 256 classes, and 74 are there before the first of the robot's.
  * Beyond that the linker's scripts write a broken program and call it a success.
  */
 final class ClassLimit extends Limit {
-    private static final int ROOM = Needs.MOST_CLASSES - Needs.EMPTY_PROGRAM;
+    /** One of the empty program's classes is its main class, and that is one of the robot's. */
+    private static final int ROOM = Needs.MOST_CLASSES - (Needs.EMPTY_PROGRAM - 1);
 
     ClassLimit() {
         super("ARC0911", "classes", ROOM, "use fewer components, or spread them over two bricks");

@@ -4,13 +4,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 
@@ -19,14 +16,9 @@ final class LibraryCost {
     private static final String RESOURCE = "/brick/library.txt";
     private static final String DEFAULT = "default";
 
-    /**
-     * @param bytes of what the class keeps for itself, once it is used
-     * @param brings the classes that come along
-     */
-    private record Used(long bytes, List<String> brings) {}
+    /** Bytes of what a class keeps for itself, once it is used. */
+    private final Map<String, Long> classes = new HashMap<>();
 
-    private final Map<String, Used> classes = new HashMap<>();
-    private final Set<String> empty = new HashSet<>();
     private final Map<String, Long> objects = new HashMap<>();
     private final Map<String, Long> calls = new HashMap<>();
     private final Set<String> waits = new HashSet<>();
@@ -48,10 +40,8 @@ final class LibraryCost {
     }
 
     private void add(String[] words) {
-        List<String> rest = Arrays.asList(words).subList(Math.min(3, words.length), words.length);
         switch (words[0]) {
-            case "class" -> classes.put(words[1], new Used(Long.parseLong(words[2]), rest));
-            case "empty" -> empty.addAll(Arrays.asList(words).subList(1, words.length));
+            case "class" -> classes.put(words[1], Long.parseLong(words[2]));
             case "new" -> objects.put(words[1], Long.parseLong(words[2]));
             case "call" -> calls.put(words[1], Long.parseLong(words[2]));
             case "waits" -> waits.add(words[1]);
@@ -63,23 +53,9 @@ final class LibraryCost {
         }
     }
 
-    boolean knows(String type) {
-        return classes.containsKey(type);
-    }
-
-    /** Classes that every program has. */
-    Set<String> emptyProgram() {
-        return empty;
-    }
-
-    /** The classes that come along with one that is known. */
-    List<String> brings(String type) {
-        return Optional.ofNullable(classes.get(type)).map(Used::brings).orElse(List.of());
-    }
-
     /** What a class that is used keeps in memory, its objects left out. */
     long bytesOf(String type) {
-        return Optional.ofNullable(classes.get(type)).map(Used::bytes).orElse(0L);
+        return classes.getOrDefault(type, 0L);
     }
 
     long bytesOfObject(String type) {

@@ -23,7 +23,7 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
     /** What a linked program has room for. */
     public static final int MOST_CLASSES = 256;
 
-    /** Classes of the empty program, as the linker counts them, its main class left out. */
+    /** Classes of the empty program, as the linker counts them, with its main class. */
     public static final int EMPTY_PROGRAM = LinkedClasses.EMPTY_PROGRAM;
 
     /**
@@ -34,7 +34,7 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
         LibraryCost library = LibraryCost.read();
         Code code = new Code(classes, table);
         Entry entry = new Entry(code);
-        LinkedClasses linked = LinkedClasses.of(code, library, table);
+        LinkedClasses linked = LinkedClasses.of(code, LibraryLinks.read());
         Memory memory = new Memory(code, library, entry, linked);
         SliceTime slice = new SliceTime(code, library, entry);
         return new Needs(

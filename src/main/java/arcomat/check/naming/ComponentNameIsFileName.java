@@ -1,6 +1,7 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
+import arcomat.source.ComposedForm;
 import arcomat.tree.Unit;
 
 /** ARC0207: a file is named after what it defines, so that it can be found. */
@@ -12,7 +13,7 @@ public final class ComponentNameIsFileName implements Check.OnUnit {
         int dot = file.lastIndexOf('.');
         String expected = dot < 0 ? file : file.substring(0, dot);
         Definitions.name(unit.definition())
-                .filter(name -> !name.text().equals(expected))
+                .filter(name -> !name.text().equals(ComposedForm.of(expected)))
                 .ifPresent(
                         name ->
                                 findings.report(

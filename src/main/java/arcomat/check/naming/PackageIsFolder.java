@@ -1,6 +1,7 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
+import arcomat.source.ComposedForm;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
@@ -20,6 +21,18 @@ public final class PackageIsFolder implements Check.OnUnit {
         unit.packageName()
                 .filter(name -> !endsWith(folders, name.parts()))
                 .ifPresent(name -> report(name, folders, findings));
+    }
+
+    /** Whether a file lies in the folder of its package, as far as its folders are known. */
+    static boolean holds(Unit unit) {
+        return unit.packageName()
+                .filter(name -> endsWith(folders(unit.file().path()), name.parts()))
+                .isPresent();
+    }
+
+    /** Whether anything is known of the folders of a file. */
+    static boolean isKnown(Unit unit) {
+        return !folders(unit.file().path()).isEmpty();
     }
 
     private static void report(QualifiedName name, List<String> folders, Findings findings) {
@@ -44,7 +57,7 @@ public final class PackageIsFolder implements Check.OnUnit {
 
     /** The folders of a path whose names are known: those behind the last dots. */
     private static List<String> folders(String path) {
-        List<String> parts = Arrays.asList(path.split("/+"));
+        List<String> parts = Arrays.asList(ComposedForm.of(path).split("/+"));
         List<String> folders = parts.subList(0, parts.size() - 1);
         int unknown = Math.max(folders.lastIndexOf("."), folders.lastIndexOf(".."));
         return folders.subList(unknown + 1, folders.size());

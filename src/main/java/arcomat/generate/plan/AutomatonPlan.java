@@ -105,10 +105,15 @@ public record AutomatonPlan(
         return new State(asked, false, false);
     }
 
+    /**
+     * Whether two may hold together, or a later one may go wrong where an earlier one holds: who
+     * draws looks at all of them.
+     */
     private static boolean anyOverlap(List<Formula> conditions) {
-        for (int i = 0; i < conditions.size(); i++) {
-            for (int k = i + 1; k < conditions.size(); k++) {
-                if (!Exclusion.contradict(conditions.get(i), conditions.get(k))) {
+        for (int k = 1; k < conditions.size(); k++) {
+            Formula later = conditions.get(k).beforeFailing();
+            for (int i = 0; i < k; i++) {
+                if (!Exclusion.contradict(conditions.get(i), later)) {
                     return true;
                 }
             }

@@ -24,6 +24,7 @@ import java.util.Map;
 public final class ExpressionWriter implements Expression.Cases<Text> {
     private static final int LONGEST_ROW = 200;
     private static final String CALL = "call";
+    private static final String TRUNCATE = "truncate";
     private static final Type BOOLEAN = new Type.BooleanType();
 
     private final TargetNames names;
@@ -213,7 +214,13 @@ public final class ExpressionWriter implements Expression.Cases<Text> {
 
     @Override
     public Text cast(Expression.Cast cast) {
-        return form("cast", cast.type(), of(cast.operand()));
+        String key = RuntimeChecks.isNeeded(cast) && truncates() ? TRUNCATE : "cast";
+        return form(key, cast.type(), of(cast.operand()));
+    }
+
+    /** Whether the target has other words for a conversion of numbers beyond 64 bits. */
+    private boolean truncates() {
+        return language.entry("expression." + TRUNCATE + ".long").isPresent();
     }
 
     Text equal(Expression left, Expression right) {

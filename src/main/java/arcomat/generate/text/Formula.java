@@ -117,4 +117,20 @@ public sealed interface Formula {
     default List<Formula> conjuncts() {
         return this instanceof Row row && row.all() ? row.operands() : List.of(this);
     }
+
+    /** Whether looking at it may go wrong instead of saying anything. */
+    default boolean mayFail() {
+        return match(
+                new Cases<>(
+                        carries -> false,
+                        is -> false,
+                        Test::mayFail,
+                        not -> not.operand().mayFail(),
+                        row -> row.operands().stream().anyMatch(Formula::mayFail)));
+    }
+
+    /** The conjuncts that are looked at before anything may go wrong. */
+    default Formula beforeFailing() {
+        return Row.of(true, conjuncts().stream().takeWhile(each -> !each.mayFail()).toList());
+    }
 }

@@ -160,7 +160,7 @@ public final class FormulaBuilder implements Expression.Cases<Formula> {
         }
         Text same = text.equal(read, value);
         Text other = text.notEqual(read, value);
-        if (value.contains(Expression.PortRead.class::isInstance)) {
+        if (value.contains(Expression.PortRead.class::isInstance) || mayFail(value)) {
             // Two silent ports have equal codes: this does not say that there is a message.
             return Formula.Test.of(equal ? same : other, mayFail(value));
         }

@@ -80,6 +80,20 @@ public record RuntimeChecks(Map<String, Interval> known) {
                 && !isNonZero(binary.right());
     }
 
+    /** Whether a number that is beyond 64 bits may be made a Long. */
+    static boolean isNeeded(Expression.Cast cast) {
+        return cast.type() instanceof Type.IntegerType integer
+                && integer.width() == Type.Width.LONG
+                && cast.operand().type() instanceof Type.RealType
+                && !isLong(cast.operand());
+    }
+
+    private static boolean isLong(Expression e) {
+        return e instanceof Expression.Constant constant
+                && constant.value() instanceof Value.RealValue number
+                && Math.abs(number.value()) < -(double) Long.MIN_VALUE;
+    }
+
     private static boolean isNonZero(Expression e) {
         return e instanceof Expression.Constant constant
                 && constant.value() instanceof Value.IntegerValue integer

@@ -4,7 +4,6 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -14,6 +13,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 
 /**
  * Keeps conditions as short as a person would write them. Enum ports are codes where 0 is no
@@ -28,12 +28,17 @@ public final class Simplification {
 
     /** Conjunction; operands may rely on those before them. */
     public Formula and(List<Formula> operands) {
+        return and(Set.of(), operands);
+    }
+
+    /** Each operand is reduced once: whoever nests them does not pay for each level again. */
+    private Formula and(Set<String> before, List<Formula> operands) {
         Set<Formula> kept = new LinkedHashSet<>();
-        Set<String> present = new HashSet<>();
+        Set<String> present = new HashSet<>(before);
         for (Formula operand : flat(operands, true)) {
             Formula reduced = under(present, operand);
             if (reduced.equals(Formula.FALSE)) {
-                return Formula.FALSE;
+                return decided(List.copyOf(kept), Formula.FALSE);
             }
             for (Formula conjunct : reduced.conjuncts()) {
                 if (kept.add(conjunct)) {
@@ -41,14 +46,31 @@ public final class Simplification {
                 }
             }
         }
-        return Formula.Row.of(true, needed(kept));
+        return Formula.Row.of(true, needed(List.copyOf(kept)));
     }
 
     public Formula or(List<Formula> operands) {
-        List<Formula> flat = flat(operands, false);
-        return flat.contains(Formula.TRUE)
-                ? Formula.TRUE
-                : Formula.Row.of(false, flat.stream().distinct().toList());
+        List<Formula> flat = flat(operands, false).stream().distinct().toList();
+        int certain = flat.indexOf(Formula.TRUE);
+        return certain < 0
+                ? Formula.Row.of(false, flat)
+                : decided(flat.subList(0, certain), Formula.TRUE);
+    }
+
+    /**
+     * A row that an operand decides: what may go wrong before it still does, and where depends on
+     * what stands before that.
+     *
+     * @param decides false in a conjunction, true in a disjunction
+     */
+    private static Formula decided(List<Formula> before, Formula decides) {
+        int last = before.size() - 1;
+        while (last >= 0 && !before.get(last).mayFail()) {
+            last--;
+        }
+        List<Formula> row = new ArrayList<>(before.subList(0, last + 1));
+        row.add(decides);
+        return Formula.Row.of(decides.equals(Formula.FALSE), row);
     }
 
     private static List<Formula> flat(List<Formula> operands, boolean all) {
@@ -89,29 +111,38 @@ public final class Simplification {
     private Formula under(Set<String> present, Formula f) {
         return f.match(
                 new Formula.Cases<>(
-                        carries -> {
-                            Port port = carries.port();
-                            boolean certain =
-                                    !mayBeAbsent.test(port) || present.contains(port.name());
-                            return certain ? Formula.of(carries.something()) : carries;
-                        },
+                        carries ->
+                                isCertain(carries.port(), present)
+                                        ? Formula.of(carries.something())
+                                        : carries,
                         is -> is,
                         test -> test,
                         not -> not(under(present, not.operand())),
                         row -> under(present, row)));
     }
 
+    /** A row has been reduced when it was made: it stays as it is where nothing new is known. */
     private Formula under(Set<String> present, Formula.Row row) {
-        if (!row.all()) {
-            return or(row.operands().stream().map(each -> under(present, each)).toList());
+        if (!asksForKnown(present, row)) {
+            return row;
         }
-        Set<String> known = new HashSet<>(present);
-        List<Formula> reduced = new ArrayList<>();
-        for (Formula operand : row.operands()) {
-            reduced.add(under(known, operand));
-            known.addAll(present(operand));
-        }
-        return and(reduced);
+        return row.all()
+                ? and(present, row.operands())
+                : or(row.operands().stream().map(each -> under(present, each)).toList());
+    }
+
+    private boolean asksForKnown(Set<String> present, Formula f) {
+        return f.match(
+                new Formula.Cases<>(
+                        carries -> isCertain(carries.port(), present),
+                        is -> false,
+                        test -> false,
+                        not -> asksForKnown(present, not.operand()),
+                        row -> row.operands().stream().anyMatch(o -> asksForKnown(present, o))));
+    }
+
+    private boolean isCertain(Port port, Set<String> present) {
+        return !mayBeAbsent.test(port) || present.contains(port.name());
     }
 
     /** The ports that carry a message wherever the formula holds. */
@@ -138,41 +169,16 @@ public final class Simplification {
     }
 
     /** Those of the conjuncts that say more than others do. */
-    private static List<Formula> needed(Collection<Formula> conjuncts) {
-        Map<String, Integer> presences = new HashMap<>();
-        List<Formula> strong = new ArrayList<>();
-        for (Formula each : conjuncts) {
-            present(each).forEach(port -> presences.merge(port, 1, Integer::sum));
-            if (mayExcludeMessage(each)) {
-                strong.add(each);
-            }
-        }
-        return conjuncts.stream().filter(each -> !isImplied(each, presences, strong)).toList();
+    private static List<Formula> needed(List<Formula> conjuncts) {
+        return conjuncts.stream().anyMatch(Simplification::mayBeImplied)
+                ? new Conjuncts(conjuncts).needed()
+                : conjuncts;
     }
 
-    /** Neither does another test, nor that there is another message than one. */
-    private static boolean mayExcludeMessage(Formula f) {
-        return !(f instanceof Formula.Test) && (!(f instanceof Formula.Is is) || is.equal());
-    }
-
-    /**
-     * Whether a conjunct says no more than another one does.
-     *
-     * @param presences how many conjuncts say that a port carries a message
-     * @param strong conjuncts that may exclude that a port carries a certain message
-     */
-    private static boolean isImplied(
-            Formula f, Map<String, Integer> presences, List<Formula> strong) {
-        if (f instanceof Formula.Carries carries
-                && carries.something()
-                && carries.port().type() instanceof Type.EnumType) {
-            return Objects.requireNonNull(presences.get(carries.port().name())) > 1;
-        }
-        if (!(f instanceof Formula.Is is) || is.equal()) {
-            return false;
-        }
-        Formula.Is opposite = is.negation();
-        return strong.stream().anyMatch(each -> Exclusion.contradict(each, opposite));
+    private static boolean mayBeImplied(Formula f) {
+        return f instanceof Formula.Carries carries
+                ? carries.something() && carries.port().type() instanceof Type.EnumType
+                : f instanceof Formula.Is is && !is.equal();
     }
 
     /**
@@ -191,6 +197,71 @@ public final class Simplification {
         return OpenCases.of(mayBeAbsent, f, earlier)
                 .map(cases -> and(cases.needed(f.conjuncts())))
                 .orElse(f);
+    }
+
+    /**
+     * Conjuncts, of which some say no more than others do. One that says less may be dropped for
+     * one that stands behind it only if nothing may go wrong in between: else that is looked at
+     * where it has not been before.
+     */
+    private static final class Conjuncts {
+        private final List<Formula> all;
+
+        /** By position, how many that may go wrong stand before a conjunct, with it. */
+        private final int[] mayFail;
+
+        /** Which conjuncts say that a port carries a message, in their order. */
+        private final Map<String, List<Integer>> presences = new HashMap<>();
+
+        /** Those that may exclude that a port carries a certain message. */
+        private final List<Integer> strong = new ArrayList<>();
+
+        Conjuncts(List<Formula> all) {
+            this.all = all;
+            mayFail = new int[all.size()];
+            for (int i = 0; i < mayFail.length; i++) {
+                int position = i;
+                Formula each = all.get(i);
+                mayFail[i] = (i == 0 ? 0 : mayFail[i - 1]) + (each.mayFail() ? 1 : 0);
+                present(each)
+                        .forEach(
+                                port ->
+                                        presences
+                                                .computeIfAbsent(port, key -> new ArrayList<>())
+                                                .add(position));
+                if (mayExcludeMessage(each)) {
+                    strong.add(i);
+                }
+            }
+        }
+
+        /** Neither does another test, nor that there is another message than one. */
+        private static boolean mayExcludeMessage(Formula f) {
+            return !(f instanceof Formula.Test) && (!(f instanceof Formula.Is is) || is.equal());
+        }
+
+        List<Formula> needed() {
+            return IntStream.range(0, all.size())
+                    .filter(i -> !mayBeImplied(all.get(i)) || !isImplied(i))
+                    .mapToObj(all::get)
+                    .toList();
+        }
+
+        private boolean isImplied(int position) {
+            if (all.get(position) instanceof Formula.Carries carries) {
+                return Objects.requireNonNull(presences.get(carries.port().name())).stream()
+                        .anyMatch(other -> other != position && isAsSafe(other, position));
+            }
+            Formula.Is opposite = ((Formula.Is) all.get(position)).negation();
+            return strong.stream()
+                    .filter(other -> isAsSafe(other, position))
+                    .anyMatch(other -> Exclusion.contradict(all.get(other), opposite));
+        }
+
+        /** Whether nothing more may go wrong before one is known to hold than before another. */
+        private boolean isAsSafe(int one, int another) {
+            return mayFail[one] <= mayFail[another];
+        }
     }
 
     /**

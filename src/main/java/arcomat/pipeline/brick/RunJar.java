@@ -5,7 +5,6 @@ import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.inside.Refusing;
-import arcomat.report.run.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.Outcome;
 import arcomat.sim.SimulatedBrick;
@@ -20,6 +19,7 @@ import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Recorder;
 import arcomat.sim.trace.Recorder.Misfit;
 import arcomat.sim.trace.Trace;
+import arcomat.simulate.run.RobotRun;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 

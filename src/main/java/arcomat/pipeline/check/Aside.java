@@ -13,11 +13,9 @@ import java.util.TreeSet;
  * @param findings about those of the files that have some
  * @param files with errors, and those that need them; ordered
  * @param words of their texts, and their names
- * @param onlyBySyntax whether no other errors than those in their syntax keep them out
  */
-public record Aside(
-        List<Diagnostic> findings, List<String> files, Set<String> words, boolean onlyBySyntax) {
-    public static final Aside NOTHING = new Aside(List.of(), List.of(), Set.of(), true);
+public record Aside(List<Diagnostic> findings, List<String> files, Set<String> words) {
+    public static final Aside NOTHING = new Aside(List.of(), List.of(), Set.of());
 
     public Aside {
         findings = List.copyOf(findings);
@@ -25,7 +23,7 @@ public record Aside(
         words = Set.copyOf(words);
     }
 
-    static Aside of(List<SourceFile> sources, List<Diagnostic> findings, boolean onlyBySyntax) {
+    static Aside of(List<SourceFile> sources, List<Diagnostic> findings) {
         Set<String> files = new TreeSet<>();
         Set<String> words = new TreeSet<>();
         for (SourceFile file : sources) {
@@ -33,7 +31,7 @@ public record Aside(
             words.add(WholeFiles.simpleName(file.path()));
             words.addAll(WrittenNames.in(file.text()));
         }
-        return new Aside(findings, List.copyOf(files), words, onlyBySyntax);
+        return new Aside(findings, List.copyOf(files), words);
     }
 
     public boolean isEmpty() {
@@ -49,10 +47,6 @@ public record Aside(
         paths.addAll(other.files);
         Set<String> mentioned = new TreeSet<>(words);
         mentioned.addAll(other.words);
-        return new Aside(
-                List.copyOf(all),
-                List.copyOf(paths),
-                mentioned,
-                onlyBySyntax && other.onlyBySyntax);
+        return new Aside(List.copyOf(all), List.copyOf(paths), mentioned);
     }
 }

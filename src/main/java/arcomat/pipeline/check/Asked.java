@@ -5,7 +5,7 @@ import arcomat.symbols.names.DiagramSymbol;
 
 import java.util.List;
 
-/** What a command wants of models: what it does not want may have errors in its syntax. */
+/** What a command wants of models: what it does not want may have errors. */
 @FunctionalInterface
 public interface Asked {
     /** All that there is. */

@@ -47,8 +47,8 @@ public record CheckedModels(
     }
 
     /**
-     * Checks models that are about to run: no error is excused by being meant. Files with errors in
-     * their syntax are left out where the rest is what is asked.
+     * Checks models that are about to run: no error is excused by being meant. Files with errors
+     * are left out, and what needs them, where the rest is what is asked.
      *
      * @param asked what is wanted of them
      * @param executable components that code is made of; requirements beside them need not be
@@ -69,8 +69,8 @@ public record CheckedModels(
             BiFunction<Workspace, LoadedModels, Collection<ComponentSymbol>> executable,
             Session session) {
         CheckedModels all = checkWhole(loaded, executable, session);
-        return all.without(loaded.broken(), session)
-                .filter(rest -> asked.isIn(rest.workspace()))
+        return all.without(all.filesWithErrors(), session)
+                .filter(rest -> rest.hasNamed() && asked.isIn(rest.workspace()))
                 .orElse(all);
     }
 
@@ -84,28 +84,20 @@ public record CheckedModels(
         return checkToRun(loaded, asked, (models, files) -> List.of(), session);
     }
 
-    /**
-     * As {@link #checkToExamine}, for what looks at each component alone: files with any error are
-     * left out where the rest is what is asked, not only those that cannot be read.
-     */
-    static CheckedModels checkToShow(List<String> paths, Asked asked, Session session) {
-        CheckedModels all =
-                checkWhole(ModelLoader.load(paths, session), (models, files) -> List.of(), session);
-        return all.without(all.filesWithErrors(), session)
-                .filter(rest -> rest.hasNamed() && asked.isIn(rest.workspace()))
-                .orElse(all);
-    }
-
     /** Whether something is left of what the user named. */
     private boolean hasNamed() {
         return loaded.units().stream().anyMatch(unit -> loaded.isNamedByUser(unit.file().path()));
     }
 
+    /** Those where errors are found, and those that errors are about as well. */
     private Set<String> filesWithErrors() {
         Set<String> files = new TreeSet<>(loaded.broken());
-        findings.stream()
-                .filter(Diagnostic::isError)
-                .forEach(each -> files.add(each.span().file().path()));
+        for (Diagnostic each : findings) {
+            if (each.isError()) {
+                files.add(each.span().file().path());
+                each.related().forEach(place -> files.add(place.span().file().path()));
+            }
+        }
         return files;
     }
 
@@ -127,10 +119,7 @@ public record CheckedModels(
                         workspace(rest, session),
                         findings.stream().filter(isAside.negate()).toList(),
                         suppressed.stream().filter(each -> !isAside.test(each.finding())).toList(),
-                        Aside.of(
-                                others,
-                                findings.stream().filter(isAside).toList(),
-                                wrong.equals(loaded.broken()))));
+                        Aside.of(others, findings.stream().filter(isAside).toList())));
     }
 
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */

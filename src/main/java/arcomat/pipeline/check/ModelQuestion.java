@@ -14,11 +14,6 @@ public interface ModelQuestion<T> extends Task<CheckedAnswer<T>> {
     /** What of the models the question is about. */
     Asked asked();
 
-    /** Whether files with errors may be left out, where what is asked needs none of them. */
-    default boolean goesOnWithoutErrors() {
-        return false;
-    }
-
     /**
      * The answer of models without errors.
      *
@@ -28,11 +23,7 @@ public interface ModelQuestion<T> extends Task<CheckedAnswer<T>> {
 
     @Override
     default CheckedAnswer<T> run(Session session) throws WrongUse {
-        CheckedModels checked =
-                goesOnWithoutErrors()
-                        ? CheckedModels.checkToShow(paths(), asked(), session)
-                        : CheckedModels.checkToExamine(paths(), asked(), session);
-        return answer(checked, session);
+        return answer(CheckedModels.checkToExamine(paths(), asked(), session), session);
     }
 
     /** The answer of models that somebody else has read, such as those on a screen. */

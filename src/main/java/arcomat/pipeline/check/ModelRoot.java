@@ -1,6 +1,7 @@
 package arcomat.pipeline.check;
 
 import arcomat.pipeline.Fence;
+import arcomat.source.ComposedForm;
 import arcomat.tree.Unit;
 
 import java.io.IOException;
@@ -14,7 +15,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -32,10 +35,12 @@ public final class ModelRoot {
 
     private static final Pattern DOTTED_NAME =
             Pattern.compile(
-                    "[\\p{L}_$][\\p{L}\\p{N}_$]*(?:\\.[\\p{L}_$][\\p{L}\\p{N}_$]*)*(\\.\\*)?");
+                    "[\\p{L}_$][\\p{L}\\p{M}\\p{N}_$]*(?:\\.[\\p{L}_$][\\p{L}\\p{M}\\p{N}_$]*)*(\\.\\*)?");
 
     private final Fence fence;
-    private final Map<Path, Set<String>> listings = new HashMap<>();
+
+    /** What is in folders, by the normal forms of the names. */
+    private final Map<Path, Map<String, String>> listings = new HashMap<>();
 
     /** Looks for files where they may be read. */
     public ModelRoot(Fence fence) {
@@ -60,7 +65,7 @@ public final class ModelRoot {
         String[] packages = packageName.split("\\.");
         for (int i = packages.length - 1; i >= 0; i--) {
             Path name = folder.getFileName();
-            if (name == null || !name.toString().equals(packages[i])) {
+            if (name == null || !ComposedForm.of(name.toString()).equals(packages[i])) {
                 return Optional.empty();
             }
             folder = Objects.requireNonNull(folder.getParent());
@@ -87,7 +92,7 @@ public final class ModelRoot {
         Set<String> names = new LinkedHashSet<>();
         Matcher matcher = DOTTED_NAME.matcher(unit.file().text());
         while (matcher.find()) {
-            names.add(matcher.group());
+            names.add(ComposedForm.of(matcher.group()));
         }
         return names;
     }
@@ -99,13 +104,14 @@ public final class ModelRoot {
         Path at = root;
         for (String part : parts) {
             addIfThere(at, part, needed);
-            if (!listing(at).contains(part)) {
+            String folderName = listing(at).get(part);
+            if (folderName == null) {
                 return;
             }
-            at = at.resolve(part);
+            at = at.resolve(folderName);
         }
         if (all) {
-            for (String name : listing(at)) {
+            for (String name : listing(at).values()) {
                 if (REFERABLE.stream().anyMatch(name::endsWith)) {
                     needed.add(at.resolve(name));
                 }
@@ -115,8 +121,9 @@ public final class ModelRoot {
 
     private void addIfThere(Path folder, String name, Set<Path> needed) {
         for (String ending : REFERABLE) {
-            if (listing(folder).contains(name + ending)) {
-                needed.add(folder.resolve(name + ending));
+            String file = listing(folder).get(name + ending);
+            if (file != null) {
+                needed.add(folder.resolve(file));
             }
         }
     }
@@ -131,7 +138,7 @@ public final class ModelRoot {
      * of a package.
      */
     public Set<String> referable(Path folder) {
-        return listing(folder).stream()
+        return listing(folder).values().stream()
                 .filter(
                         name ->
                                 name.indexOf('.') < 0
@@ -139,19 +146,24 @@ public final class ModelRoot {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private Set<String> listing(Path folder) {
+    private Map<String, String> listing(Path folder) {
         return listings.computeIfAbsent(folder, this::list);
     }
 
-    private Set<String> list(Path folder) {
+    private Map<String, String> list(Path folder) {
         if (!fence.permits(folder)) {
-            return Set.of();
+            return Map.of();
         }
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.map(p -> p.getFileName().toString())
-                    .collect(Collectors.toCollection(TreeSet::new));
+                    .collect(
+                            Collectors.toMap(
+                                    ComposedForm::of,
+                                    Function.identity(),
+                                    (one, other) -> one.compareTo(other) < 0 ? one : other,
+                                    TreeMap::new));
         } catch (IOException | UncheckedIOException noFolder) {
-            return Set.of();
+            return Map.of();
         }
     }
 }

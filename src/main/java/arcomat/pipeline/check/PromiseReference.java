@@ -1,8 +1,8 @@
 package arcomat.pipeline.check;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.pipeline.WrongUse;
+import arcomat.semantics.Promise;
 
 import java.util.List;
 import java.util.Optional;

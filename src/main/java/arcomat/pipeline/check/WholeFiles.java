@@ -1,5 +1,6 @@
 package arcomat.pipeline.check;
 
+import arcomat.source.ComposedForm;
 import arcomat.tree.Definition;
 import arcomat.tree.Name;
 import arcomat.tree.Unit;
@@ -65,7 +66,7 @@ final class WholeFiles {
 
     /** What a file defines, if it keeps to the rules. */
     static String simpleName(String path) {
-        String file = path.substring(path.lastIndexOf('/') + 1);
+        String file = ComposedForm.of(path.substring(path.lastIndexOf('/') + 1));
         int dot = file.lastIndexOf('.');
         return dot < 0 ? file : file.substring(0, dot);
     }

@@ -1,13 +1,8 @@
 package arcomat.pipeline.diagram;
 
-import arcomat.analysis.automaton.Examination;
-import arcomat.analysis.refinement.Promise;
 import arcomat.diagram.Graph;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
-import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.analysis.AnalyzeAutomata;
-import arcomat.pipeline.analysis.InstancePromises;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.ModelQuestion;
@@ -32,25 +27,19 @@ import java.util.function.Function;
  *     name
  * @param out the folder to be written, as a whole
  * @param depth how many levels of parts are shown inside a component
- * @param highlight how long to look for findings about automata, which are then marked; empty for
- *     plain pictures
+ * @param marked findings about automata that are marked in the pictures
  */
 public record DrawDiagrams(
         List<String> components,
         PictureFormat format,
         String out,
         int depth,
-        Optional<AnalysisLimits> highlight,
+        MarkedFindings marked,
         List<String> paths)
         implements ModelQuestion<List<String>> {
     @Override
     public Asked asked() {
         return components.isEmpty() ? Asked.WHAT_IS_WHOLE : Asked.components(components);
-    }
-
-    @Override
-    public boolean goesOnWithoutErrors() {
-        return true;
     }
 
     /**
@@ -61,7 +50,7 @@ public record DrawDiagrams(
     @Override
     public List<String> answer(LoweredModels models, Session session) throws WrongUse {
         Map<String, Graph> graphs =
-                Drawings.of(components, depth, examinations(models, session), models).graphs();
+                Drawings.of(components, depth, marked.find(models, session), models).graphs();
         if (graphs.isEmpty()) {
             throw new WrongUse("there is nothing to draw in " + String.join(", ", paths));
         }
@@ -82,13 +71,5 @@ public record DrawDiagrams(
         }
         OutputFolder.replace(session.names().resolve(out), out, files);
         return List.copyOf(files.keySet());
-    }
-
-    private List<Examination> examinations(LoweredModels models, Session session) {
-        if (highlight.isEmpty()) {
-            return List.of();
-        }
-        List<Promise> promises = new InstancePromises(models).all();
-        return AnalyzeAutomata.examine(promises, models, highlight.get(), session);
     }
 }

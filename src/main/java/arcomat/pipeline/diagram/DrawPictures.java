@@ -29,11 +29,6 @@ public record DrawPictures(List<String> components, int depth, List<String> path
         return components.isEmpty() ? Asked.WHAT_IS_WHOLE : Asked.components(components);
     }
 
-    @Override
-    public boolean goesOnWithoutErrors() {
-        return true;
-    }
-
     /**
      * @throws WrongUse where there is nothing to draw
      */

@@ -1,6 +1,5 @@
 package arcomat.pipeline.diagram;
 
-import arcomat.analysis.automaton.Examination;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.ComponentGraph;
 import arcomat.diagram.Graph;
@@ -11,6 +10,7 @@ import arcomat.model.Component;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
+import arcomat.pipeline.diagram.MarkedFindings.Marked;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
@@ -30,16 +30,16 @@ import java.util.TreeSet;
  */
 final class Drawings {
     private final int depth;
-    private final List<Examination> examinations;
+    private final List<Marked> marked;
     private final Map<String, Graph> graphs = new LinkedHashMap<>();
     private final Set<String> taken = new TreeSet<>();
 
     /**
-     * @param examinations whose findings are marked
+     * @param marked findings that are marked in the pictures
      */
-    private Drawings(int depth, List<Examination> examinations) {
+    private Drawings(int depth, List<Marked> marked) {
         this.depth = depth;
-        this.examinations = examinations;
+        this.marked = marked;
     }
 
     /**
@@ -48,12 +48,9 @@ final class Drawings {
      * @throws WrongUse where there is no such component or class diagram
      */
     static Drawings of(
-            List<String> components,
-            int depth,
-            List<Examination> examinations,
-            LoweredModels models)
+            List<String> components, int depth, List<Marked> marked, LoweredModels models)
             throws WrongUse {
-        Drawings drawings = new Drawings(depth, examinations);
+        Drawings drawings = new Drawings(depth, marked);
         for (String name : components) {
             drawings.addNamed(name, models);
         }
@@ -100,7 +97,7 @@ final class Drawings {
             String own = automata.get(i).name().isEmpty() ? "" + (i + 1) : automata.get(i).name();
             boolean sole = automata.size() == 1 && !drawn;
             Automaton automaton = automata.get(i);
-            Highlights highlights = FindingHighlights.of(automaton, examinations);
+            Highlights highlights = FindingHighlights.of(automaton, marked);
             add(
                     sole ? name : name + "-" + own,
                     AutomatonGraph.of(component, automaton, highlights));

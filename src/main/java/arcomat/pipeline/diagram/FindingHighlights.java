@@ -1,11 +1,10 @@
 package arcomat.pipeline.diagram;
 
-import arcomat.analysis.automaton.Examination;
-import arcomat.analysis.automaton.Finding;
 import arcomat.diagram.Highlights;
 import arcomat.diagram.Highlights.Highlight;
 import arcomat.diagram.Highlights.Kind;
 import arcomat.model.Automaton;
+import arcomat.pipeline.diagram.MarkedFindings.Marked;
 import arcomat.source.Diagnostic;
 import arcomat.source.Diagnostic.Related;
 import arcomat.source.Span;
@@ -41,20 +40,19 @@ final class FindingHighlights {
     }
 
     /**
-     * @param examinations of any automata
+     * @param marked findings about any automata
      */
-    static Highlights of(Automaton automaton, List<Examination> examinations) {
+    static Highlights of(Automaton automaton, List<Marked> marked) {
         FindingHighlights highlights = new FindingHighlights(automaton);
-        for (Examination examination : examinations) {
-            if (examination.automaton().span().equals(automaton.span())) {
-                examination.findings().forEach(highlights::add);
+        for (Marked each : marked) {
+            if (each.automaton().span().equals(automaton.span())) {
+                each.findings().forEach(highlights::add);
             }
         }
         return new Highlights(highlights.states, highlights.transitions);
     }
 
-    private void add(Finding finding) {
-        Diagnostic diagnostic = finding.diagnostic();
+    private void add(Diagnostic diagnostic) {
         Kind kind = NEVER.contains(diagnostic.code()) ? Kind.NEVER : Kind.PROBLEM;
         String story = diagnostic.code() + ": " + diagnostic.message();
         Highlight highlight = new Highlight(kind, tag(diagnostic.code()), story);

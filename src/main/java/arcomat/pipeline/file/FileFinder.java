@@ -80,7 +80,7 @@ public final class FileFinder {
     }
 
     private static boolean ends(Path file, List<String> endings) {
-        String name = file.getFileName().toString();
+        String name = String.valueOf(file.getFileName()); // the root of a file system has none
         return endings.stream().anyMatch(name::endsWith);
     }
 

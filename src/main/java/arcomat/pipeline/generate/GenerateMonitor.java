@@ -1,6 +1,5 @@
 package arcomat.pipeline.generate;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.generate.Generation;
 import arcomat.generate.Monitors;
 import arcomat.generate.Target;
@@ -14,6 +13,7 @@ import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.compile.OversizedCode;
 import arcomat.pipeline.file.OutputFolder;
+import arcomat.semantics.Promise;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

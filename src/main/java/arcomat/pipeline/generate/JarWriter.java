@@ -1,11 +1,11 @@
 package arcomat.pipeline.generate;
 
 import arcomat.brick.jar.RobotJar.RobotClass;
+import arcomat.pipeline.file.ArchiveEntry;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.time.LocalDateTime;
 import java.util.List;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
@@ -19,8 +19,6 @@ import java.util.zip.ZipOutputStream;
  * result differs from one Java to the next.
  */
 final class JarWriter {
-    private static final LocalDateTime NO_DATE = LocalDateTime.of(1980, 1, 1, 0, 0);
-
     private JarWriter() {}
 
     /**
@@ -52,8 +50,7 @@ final class JarWriter {
     private static void add(String path, byte[] content, ZipOutputStream jar) throws IOException {
         CRC32 sum = new CRC32();
         sum.update(content);
-        ZipEntry entry = new ZipEntry(path);
-        entry.setTimeLocal(NO_DATE);
+        ZipEntry entry = ArchiveEntry.of(path);
         entry.setMethod(ZipEntry.STORED);
         entry.setSize(content.length);
         entry.setCrc(sum.getValue());

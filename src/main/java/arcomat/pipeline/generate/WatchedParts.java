@@ -1,12 +1,12 @@
 package arcomat.pipeline.generate;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.generate.monitor.SelfWatch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
+import arcomat.semantics.Promise;
 
 import org.jspecify.annotations.Nullable;
 

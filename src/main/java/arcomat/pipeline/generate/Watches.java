@@ -1,12 +1,12 @@
 package arcomat.pipeline.generate;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.PromiseReference;
+import arcomat.semantics.Promise;
 import arcomat.simulate.watch.Watch;
 
 import java.util.ArrayList;

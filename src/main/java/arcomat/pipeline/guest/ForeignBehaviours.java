@@ -68,7 +68,8 @@ public final class ForeignBehaviours {
                         unit.packageName(),
                         unit.imports(),
                         in(component),
-                        unit.comments())
+                        unit.comments(),
+                        unit.spellings())
                 : unit;
     }
 

@@ -103,6 +103,7 @@ record ForeignFile(SourceFile file, Reader reader) {
                         placed.packageName(),
                         placed.imports(),
                         inside(component, (Component) written.definition(), text),
+                        List.of(),
                         List.of());
         return new Parsed(Optional.of(unit), Optional.empty(), List.of());
     }

@@ -14,7 +14,7 @@ import arcomat.guest.host.Guests.Question;
 import arcomat.guest.host.Guests.Reader;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 import arcomat.symbols.signatures.BehaviourReader;
 import arcomat.syntax.Identifiers;
 

@@ -7,7 +7,6 @@ import arcomat.model.Port;
 import arcomat.model.Refusal;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.report.run.RobotRun;
 import arcomat.rt.ModelError;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
@@ -16,6 +15,7 @@ import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
+import arcomat.simulate.run.RobotRun;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

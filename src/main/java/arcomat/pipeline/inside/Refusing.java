@@ -6,7 +6,6 @@ import arcomat.model.Component;
 import arcomat.model.Refusal;
 import arcomat.pipeline.compile.AutomatonFields;
 import arcomat.pipeline.compile.CodeParts;
-import arcomat.report.run.RobotRun;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
@@ -15,6 +14,7 @@ import arcomat.semantics.automaton.WhyNot;
 import arcomat.semantics.network.Network;
 import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Probe;
+import arcomat.simulate.run.RobotRun;
 
 import java.util.ArrayList;
 import java.util.IdentityHashMap;

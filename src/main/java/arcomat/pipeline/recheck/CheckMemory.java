@@ -6,7 +6,7 @@ import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.file.FileFinder.Found;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.guest.ForeignBehaviours;
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
 

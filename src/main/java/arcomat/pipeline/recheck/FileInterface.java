@@ -36,7 +36,18 @@ record FileInterface(List<List<String>> offers, Set<String> mentions, Set<String
         for (String component : names.components()) {
             claims.add(javaClass(names.packageName(), component));
         }
-        return new FileInterface(offers, file.mentions(), claims);
+        if (!names.packageName().isEmpty()) {
+            offers.add(List.of(beside(file.path())));
+            return new FileInterface(offers, file.mentions(), claims);
+        }
+        Set<String> mentions = new HashSet<>(file.mentions());
+        mentions.add(beside(file.path()));
+        return new FileInterface(offers, mentions, claims);
+    }
+
+    /** How a file without a package depends on files beside it that have one. */
+    private static String beside(String path) {
+        return path.substring(0, path.lastIndexOf('/') + 1) + ALL;
     }
 
     private static String withoutDiagram(Outline names, String type) {

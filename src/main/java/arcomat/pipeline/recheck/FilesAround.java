@@ -3,7 +3,7 @@ package arcomat.pipeline.recheck;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelRoot;
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;

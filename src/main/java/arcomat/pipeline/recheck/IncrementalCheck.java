@@ -11,8 +11,8 @@ import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.CheckState.File;
-import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
+import arcomat.source.Sha256;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 

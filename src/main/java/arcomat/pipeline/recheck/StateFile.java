@@ -2,7 +2,7 @@ package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.PathNames;
 import arcomat.report.text.Json;
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 import arcomat.source.SourceFile;
 
 import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;

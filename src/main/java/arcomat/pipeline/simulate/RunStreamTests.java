@@ -32,7 +32,7 @@ public record RunStreamTests(List<String> paths) implements ModelQuestion<List<S
         List<StreamTestResult> results = new ArrayList<>();
         for (StreamTest test : tests) {
             session.progress().goOn();
-            session.progress().step("running " + test.suite() + "#" + test.name());
+            session.progress().step("running " + test.title());
             results.add(StreamTests.run(test));
         }
         return results;

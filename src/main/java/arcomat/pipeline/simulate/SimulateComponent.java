@@ -274,7 +274,7 @@ public record SimulateComponent(
         if (test.isPresent() && !test.get().component().equals(named.component())) {
             throw new WrongUse(
                     "'%s' tests %s, not %s",
-                    test.get().suite(),
+                    test.get().qualifiedSuite(),
                     test.get().component().qualifiedName(),
                     named.component().qualifiedName());
         }

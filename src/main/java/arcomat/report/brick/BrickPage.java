@@ -10,13 +10,13 @@ import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
-import arcomat.report.run.RobotRun;
 import arcomat.report.run.RunDrawings;
 import arcomat.report.run.TracePage;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Trace;
+import arcomat.simulate.run.RobotRun;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,7 +1,7 @@
 package arcomat.report.finding;
 
-import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
+import arcomat.source.Sha256;
 import arcomat.source.Span;
 
 import java.util.ArrayList;

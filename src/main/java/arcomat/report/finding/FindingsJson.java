@@ -5,6 +5,7 @@ import arcomat.report.text.Json;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Position;
+import arcomat.source.RestOfFile;
 import arcomat.source.Span;
 
 import com.fasterxml.jackson.annotation.JsonUnwrapped;
@@ -15,6 +16,7 @@ import java.util.Optional;
 /**
  * Findings for programs.
  *
+ * @param incomplete files that have more errors than are told, where there are some
  * @param known where there is a baseline, what it knows
  * @param gone where there is a baseline, its entries that nothing was found for
  */
@@ -22,6 +24,7 @@ public record FindingsJson(
         int files,
         long errors,
         long warnings,
+        Optional<List<String>> incomplete,
         List<Finding> findings,
         List<Meant> suppressed,
         Optional<List<Finding>> known,
@@ -110,6 +113,7 @@ public record FindingsJson(
                         report.paths().size(),
                         errors(findings),
                         findings.size() - errors(findings),
+                        incomplete(findings),
                         Finding.all(findings),
                         report.suppressed().stream()
                                 .map(each -> new Meant(Finding.of(each.finding()), each.reason()))
@@ -129,10 +133,15 @@ public record FindingsJson(
                         files,
                         errors(findings),
                         findings.size() - errors(findings),
+                        incomplete(findings),
                         Finding.all(findings),
                         List.of(),
                         Optional.empty(),
                         Optional.empty()));
+    }
+
+    private static Optional<List<String>> incomplete(List<Diagnostic> findings) {
+        return Optional.of(RestOfFile.files(findings)).filter(files -> !files.isEmpty());
     }
 
     private static long errors(List<Diagnostic> findings) {

@@ -5,6 +5,7 @@ import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
 import arcomat.source.Diagnostic;
 import arcomat.source.Diagnostic.Related;
+import arcomat.source.RestOfFile;
 import arcomat.source.Severity;
 import arcomat.source.Span;
 
@@ -78,7 +79,7 @@ public final class FindingsText {
         return severity == Severity.ERROR ? "error" : "warning";
     }
 
-    /** One line: {@code 2 errors, 1 warning in 14 files}. */
+    /** One line: {@code 2 errors, 1 warning in 14 files}, and of which files there may be more. */
     public static String summary(List<Diagnostic> findings, int files, Style style) {
         long errors = findings.stream().filter(Diagnostic::isError).count();
         long warnings = findings.size() - errors;
@@ -93,7 +94,15 @@ public final class FindingsText {
         if (warnings > 0) {
             text += (errors > 0 ? ", " : "") + style.warning(count(warnings, "warning"));
         }
-        return text + in;
+        return text + in + rest(RestOfFile.files(findings));
+    }
+
+    private static String rest(List<String> files) {
+        return switch (files.size()) {
+            case 0 -> "";
+            case 1 -> "; the rest of " + Printable.escape(files.get(0)) + " was not looked at";
+            default -> "; the rest of " + count(files.size(), "file") + " was not looked at";
+        };
     }
 
     /** As {@link #summary(List, int, Style)}, with what is not shown; a line for each part. */

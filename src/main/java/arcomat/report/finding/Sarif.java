@@ -8,6 +8,9 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Diagnostic.Related;
 import arcomat.source.Fix;
 import arcomat.source.Fix.TextEdit;
+import arcomat.source.RestOfFile;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -55,9 +58,30 @@ public final class Sarif {
                 Fields.of("tool", Fields.of("driver", driver))
                         .with("originalUriBaseIds", SarifPlaces.bases())
                         .with("columnKind", "utf16CodeUnits")
+                        .with("invocations", sarif.invocations(results))
                         .with("results", results.stream().map(sarif::result).toList());
         return Json.text(
                 Fields.of("$schema", SCHEMA).with("version", "2.1.0").with("runs", List.of(run)));
+    }
+
+    /** The run is told of only where it did not look at all of its files. */
+    private Optional<List<Fields>> invocations(List<Reported> results) {
+        List<Diagnostic> findings = results.stream().map(Reported::finding).toList();
+        List<Fields> notes = RestOfFile.files(findings).stream().map(this::notLookedAt).toList();
+        return unlessEmpty(notes)
+                .map(
+                        all ->
+                                List.of(
+                                        Fields.of("executionSuccessful", true)
+                                                .with("toolExecutionNotifications", all)));
+    }
+
+    private Fields notLookedAt(String path) {
+        Span place = new SourceFile(path, "").span(0, 0);
+        String text = "the syntax of the rest of " + path + " was not looked at";
+        return Fields.of("level", "warning")
+                .with("message", SarifPlaces.message(text))
+                .with("locations", List.of(places.location(place)));
     }
 
     private Fields result(Reported result) {

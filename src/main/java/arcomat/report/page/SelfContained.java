@@ -1,7 +1,7 @@
 package arcomat.report.page;
 
 import arcomat.report.text.Printable;
-import arcomat.report.text.Sha256;
+import arcomat.source.Sha256;
 
 import java.io.IOException;
 import java.io.InputStream;

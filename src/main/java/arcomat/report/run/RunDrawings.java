@@ -1,6 +1,5 @@
 package arcomat.report.run;
 
-import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.ComponentGraph;
 import arcomat.diagram.LayeredLayout;
@@ -10,6 +9,7 @@ import arcomat.model.Component;
 import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
+import arcomat.semantics.automaton.Visited;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -20,7 +20,7 @@ public final class StreamTestCases {
 
     private static Case of(StreamTestResult result) {
         return new Case(
-                result.test().suite(),
+                result.test().qualifiedSuite(),
                 result.test().name(),
                 Optional.of(result.test().span()),
                 outcome(result.verdict()),

@@ -30,7 +30,7 @@ public record StreamTestJson(List<Result> tests) {
             return new Result(
                     result.test().span().file().path(),
                     result.test().span().startPosition().line(),
-                    result.test().suite(),
+                    result.test().qualifiedSuite(),
                     result.test().name(),
                     Printable.word(result.verdict()),
                     result.failure().filter(any -> unknown),

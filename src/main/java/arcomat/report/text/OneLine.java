@@ -1,5 +1,7 @@
 package arcomat.report.text;
 
+import arcomat.source.Signs;
+
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -16,7 +18,8 @@ public final class OneLine {
         return fields.stream().map(OneLine::quoted).collect(Collectors.joining(",", "", "\n"));
     }
 
-    private static String quoted(String field) {
+    private static String quoted(String text) {
+        String field = Signs.withoutDirections(text);
         boolean plain = field.chars().noneMatch(c -> c == '"' || c == ',' || c < ' ');
         return plain ? field : '"' + field.replace("\"", "\"\"") + '"';
     }

@@ -74,8 +74,8 @@ public final class Snippet {
     /** Shows one line and underlines the offsets {@code [from, to)} of it, at least one column. */
     private void line(SourceFile file, int number, int from, int to) {
         int start = file.lineStart(number);
-        int left = boundary(file, Math.max(0, from - REACH) + start);
-        int right = boundary(file, Math.min(file.lineEnd(number), start + from + REACH));
+        int left = boundary(file.text(), Math.max(0, from - REACH) + start);
+        int right = boundary(file.text(), Math.min(file.lineEnd(number), start + from + REACH));
         DisplayLine line = DisplayLine.of(file.text().substring(left, right));
         int first = line.column(start + from - left);
         int last = Math.max(first + 1, line.column(start + to - left));
@@ -83,8 +83,8 @@ public final class Snippet {
         if (text.length() > WINDOW) {
             // Columns and characters differ only where wide characters occur; cutting is rough
             // there.
-            int begin = Math.max(0, Math.min(first - LEAD, text.length() - WINDOW));
-            int end = Math.min(text.length(), begin + WINDOW);
+            int begin = boundary(text, Math.max(0, Math.min(first - LEAD, text.length() - WINDOW)));
+            int end = boundary(text, Math.min(text.length(), begin + WINDOW));
             String before = begin > 0 || left > start ? CUT : "";
             boolean isCut = end < text.length() || right < file.lineEnd(number);
             text = before + text.substring(begin, end) + (isCut ? CUT : "");
@@ -105,8 +105,7 @@ public final class Snippet {
     }
 
     /** Between two characters, also where one of them takes two units. */
-    private static int boundary(SourceFile file, int offset) {
-        String text = file.text();
+    private static int boundary(String text, int offset) {
         boolean isInside =
                 offset > 0
                         && offset < text.length()

@@ -12,6 +12,7 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
 import arcomat.model.Type;
+import arcomat.semantics.expression.DeepConditions.Connective;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,9 +29,20 @@ import java.util.List;
  */
 public final class Guards {
     private final Formulas formulas;
+    private final DeepConditions deep;
 
     public Guards(Component.Profile profile) {
+        this(profile, DeepConditions.LONGEST);
+    }
+
+    /**
+     * @param longest of how many parts a condition is made as a person would write it
+     */
+    Guards(Component.Profile profile, long longest) {
         formulas = new Formulas(profile);
+        deep =
+                new DeepConditions(
+                        formulas, matches -> twoValued((Expression.PortMatches) matches), longest);
     }
 
     /**
@@ -52,7 +64,7 @@ public final class Guards {
             condition = and(condition, fits(matches(match, transition)));
         }
         if (transition.guard().isPresent()) {
-            condition = and(condition, certainlyTrue(transition.guard().get()));
+            condition = and(condition, isTrue(transition.guard().get()));
         }
         for (Automaton.Send send : transition.sends()) {
             for (Expression value : send.emission().values()) {
@@ -116,7 +128,7 @@ public final class Guards {
             addConjuncts(both.left(), clauses);
             addConjuncts(both.right(), clauses);
         } else {
-            clauses.add(clause(guard, certainlyTrue(guard)));
+            clauses.add(clause(guard, isTrue(guard)));
         }
     }
 
@@ -185,6 +197,10 @@ public final class Guards {
         }
     }
 
+    private Expression isTrue(Expression guard) {
+        return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
+    }
+
     private Expression certainlyTrue(Expression e) {
         return certainly(true, e);
     }
@@ -201,21 +217,27 @@ public final class Guards {
             return certainly(!truth, e.operands().get(0));
         }
         if (e instanceof Expression.Conditional choice) {
-            return or(
-                    and(certainlyTrue(choice.condition()), certainly(truth, choice.then())),
-                    and(
-                            certainly(false, choice.condition()),
-                            certainly(truth, choice.otherwise())));
+            return chosen(
+                    choice, certainly(truth, choice.then()), certainly(truth, choice.otherwise()));
         }
         if (Formulas.isLazy(e)) {
-            Expression.Binary binary = (Expression.Binary) e;
-            boolean or = binary.operator() != BinaryOperator.AND;
-            boolean implies = binary.operator() == BinaryOperator.IMPLIES;
-            Expression left = certainly(truth != implies, binary.left());
-            Expression right = certainly(truth, binary.right());
-            return or == truth ? or(left, right) : and(left, right); // De Morgan
+            Connective both = Connective.of((Expression.Binary) e);
+            return both.joined(
+                    truth, certainly(truth, both.left()), certainly(truth, both.right()));
         }
         return and(defined(e), truth ? whereDefined(e) : not(whereDefined(e)));
+    }
+
+    /** Of a condition that is true it is not asked once more whether it is false. */
+    private Expression chosen(
+            Expression.Conditional choice, Expression then, Expression otherwise) {
+        Expression condition = choice.condition();
+        if (!formulas.isStrict(condition) && DeepConditions.divides(condition)) {
+            return and(
+                    defined(condition),
+                    DeepConditions.choice(whereDefined(condition), then, otherwise, condition));
+        }
+        return or(and(certainlyTrue(condition), then), and(certainly(false, condition), otherwise));
     }
 
     /** When an expression of any type has a value. */
@@ -227,9 +249,7 @@ public final class Guards {
             return TRUE;
         }
         if (e instanceof Expression.Conditional choice) {
-            return or(
-                    and(certainlyTrue(choice.condition()), defined(choice.then())),
-                    and(certainly(false, choice.condition()), defined(choice.otherwise())));
+            return chosen(choice, defined(choice.then()), defined(choice.otherwise()));
         }
         if (Formulas.isLazy(e)) {
             return or(certainlyTrue(e), certainly(false, e));

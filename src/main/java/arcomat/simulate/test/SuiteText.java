@@ -6,6 +6,7 @@ import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.network.Network;
+import arcomat.source.Signs;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -93,7 +94,7 @@ public final class SuiteText {
     }
 
     private void line(String line) {
-        text.append(line).append('\n');
+        text.append(Signs.withoutDirections(line)).append('\n');
     }
 
     /**

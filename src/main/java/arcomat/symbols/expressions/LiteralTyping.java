@@ -50,9 +50,17 @@ final class LiteralTyping {
 
     private static TypedExpression real(Literal literal, BuiltinType type, Problems problems) {
         double value = LiteralValues.realNumber(literal);
-        return Double.isInfinite(value)
-                ? wrong(literal, "'" + literal.text() + "' is too large for " + type, problems)
+        if (Double.isInfinite(value)) {
+            return wrong(literal, "'" + literal.text() + "' is too large for " + type, problems);
+        }
+        return LiteralValues.isLost(literal.text(), value)
+                ? wrong(literal, lost(literal, type), problems)
                 : new TypedExpression.Literal(literal, value, type);
+    }
+
+    private static String lost(Literal literal, BuiltinType type) {
+        return "'%s' is too small for %s and would be 0; write 0 or a larger number"
+                .formatted(literal.text(), type);
     }
 
     private static TypedExpression character(Literal literal, Problems problems) {
@@ -62,8 +70,17 @@ final class LiteralTyping {
                         text ->
                                 new TypedExpression.Literal(
                                         literal, text.charAt(0), BuiltinType.CHARACTER))
-                .orElseGet(
-                        () -> wrong(literal, literal.text() + " is not one character", problems));
+                .orElseGet(() -> wrong(literal, literal.text() + noCharacter(literal), problems));
+    }
+
+    private static String noCharacter(Literal literal) {
+        boolean pair =
+                LiteralValues.unquoted(literal)
+                        .filter(text -> text.codePoints().count() == 1)
+                        .isPresent();
+        return pair
+                ? " takes two of Java's characters and fits no char; write it in a String"
+                : " is not one character";
     }
 
     private static TypedExpression string(Literal literal, Problems problems) {

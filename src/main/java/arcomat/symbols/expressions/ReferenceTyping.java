@@ -2,6 +2,7 @@ package arcomat.symbols.expressions;
 
 import arcomat.source.Nearest;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
+import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.JavaType;
@@ -13,11 +14,14 @@ import arcomat.tree.QualifiedName;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 
 /** Tells what names in expressions mean: values, their attributes, constants of enumerations. */
 final class ReferenceTyping {
+    private static final List<String> TRUTHS = List.of("true", "false");
+
     private final ValueScope scope;
     private final Problems problems;
 
@@ -120,6 +124,9 @@ final class ReferenceTyping {
         List<String> known = new ArrayList<>(scope.names());
         if (expected instanceof EnumSymbol type) {
             known.addAll(0, type.constants());
+        } else if (expected == BuiltinType.BOOLEAN
+                || TRUTHS.contains(name.toLowerCase(Locale.ROOT))) {
+            known.addAll(TRUTHS);
         }
         problems.report(
                 Kind.UNKNOWN_NAME,

@@ -1,8 +1,11 @@
 package arcomat.symbols.names;
 
 import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The built-in types; a Java primitive and its box are one type. */
 public enum BuiltinType implements TypeSymbol {
@@ -17,6 +20,27 @@ public enum BuiltinType implements TypeSymbol {
     STRING("String", "java.lang.String");
 
     private static final Map<String, BuiltinType> BY_NAME = byName();
+
+    /** What other languages call them, in small letters. */
+    private static final Map<String, BuiltinType> FOREIGN =
+            Map.ofEntries(
+                    Map.entry("int8", BYTE),
+                    Map.entry("int16", SHORT),
+                    Map.entry("int32", INTEGER),
+                    Map.entry("int64", LONG),
+                    Map.entry("i8", BYTE),
+                    Map.entry("i16", SHORT),
+                    Map.entry("i32", INTEGER),
+                    Map.entry("i64", LONG),
+                    Map.entry("float32", FLOAT),
+                    Map.entry("float64", DOUBLE),
+                    Map.entry("f32", FLOAT),
+                    Map.entry("f64", DOUBLE),
+                    Map.entry("real", DOUBLE),
+                    Map.entry("text", STRING));
+
+    /** So many letters of a name tell it from the others. */
+    private static final int SHORTEST_BEGINNING = 3;
 
     private final String displayName;
     private final String otherName;
@@ -46,6 +70,26 @@ public enum BuiltinType implements TypeSymbol {
     /** The built-in type that a name as written stands for. */
     public static Optional<BuiltinType> named(String name) {
         return Optional.ofNullable(BY_NAME.get(name));
+    }
+
+    /**
+     * The type that another language has under a name, or that the name is the beginning of: {@code
+     * bool} and {@code Int}, {@code int64}, {@code str}.
+     */
+    public static Optional<BuiltinType> meantBy(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        BuiltinType foreign = FOREIGN.get(lower);
+        if (foreign != null || lower.length() < SHORTEST_BEGINNING) {
+            return Optional.ofNullable(foreign);
+        }
+        List<BuiltinType> begun =
+                Stream.of(values()).filter(each -> each.beginsWith(lower)).toList();
+        return begun.size() == 1 ? Optional.of(begun.get(0)) : Optional.empty();
+    }
+
+    private boolean beginsWith(String lower) {
+        return displayName.toLowerCase(Locale.ROOT).startsWith(lower)
+                || otherName.toLowerCase(Locale.ROOT).startsWith(lower);
     }
 
     /** Whether a name as written is one of Java's for what is no object. */

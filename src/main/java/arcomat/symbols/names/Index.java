@@ -1,5 +1,7 @@
 package arcomat.symbols.names;
 
+import arcomat.source.ComposedForm;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -45,7 +47,8 @@ public final class Index {
     }
 
     /** Notes a file without a tree: whatever it should define is excused. */
-    public void addBroken(String path) {
+    public void addBroken(String file) {
+        String path = ComposedForm.of(file); // as names are
         String name = path.substring(path.lastIndexOf('/') + 1);
         int dot = name.lastIndexOf('.');
         String simple = dot < 0 ? name : name.substring(0, dot);

@@ -75,6 +75,19 @@ public final class LiteralValues {
                 : Double.parseDouble(digits);
     }
 
+    /**
+     * Whether a number that is not zero was rounded to zero. Java refuses such a literal.
+     *
+     * @param written a floating point literal
+     */
+    public static boolean isLost(String written, double value) {
+        String lower = written.toLowerCase(java.util.Locale.ROOT);
+        boolean hexadecimal = lower.contains("x");
+        String digits = hexadecimal ? lower.substring(lower.indexOf('x') + 1) : lower;
+        String significand = digits.split(hexadecimal ? "p" : "[efd]", 2)[0];
+        return value == 0 && significand.matches(".*[1-9a-f].*");
+    }
+
     public static boolean isTrue(Literal literal) {
         return literal.text().equals("true");
     }
@@ -106,13 +119,8 @@ public final class LiteralValues {
             result.append("\b\t\n\f\r\"'\\ ".charAt(simple));
             return 1;
         }
-        if (text.charAt(at) == 'u' && at + 5 < text.length()) {
-            String code = text.substring(at + 1, at + 5);
-            if (code.matches("[0-9a-fA-F]{4}")) {
-                result.append((char) Integer.parseInt(code, 16));
-                return 5;
-            }
-            return 0;
+        if (text.charAt(at) == 'u') {
+            return unicodeEscape(text, at, result);
         }
         int end = at;
         while (end < text.length() - 1
@@ -125,6 +133,20 @@ public final class LiteralValues {
         }
         int code = Integer.parseInt(text.substring(at, end), 8);
         result.append((char) (code & 0xFF));
+        return end - at;
+    }
+
+    /** As many letters u as there are; then four digits. */
+    private static int unicodeEscape(String text, int at, StringBuilder result) {
+        int digits = at;
+        while (text.charAt(digits) == 'u') {
+            digits++;
+        }
+        int end = digits + 4;
+        if (end >= text.length() || !text.substring(digits, end).matches("[0-9a-fA-F]{4}")) {
+            return 0;
+        }
+        result.append((char) Integer.parseInt(text.substring(digits, end), 16));
         return end - at;
     }
 }

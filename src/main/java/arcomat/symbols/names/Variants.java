@@ -37,15 +37,31 @@ public record Variants(Component node, List<Name> features, List<Expression> con
 
     /** Empty for a component that says nothing of features. */
     public static Optional<Variants> of(Component node) {
-        return isVaried(node)
-                ? Optional.of(
-                        new Variants(
-                                node,
-                                firsts(node),
-                                node.elements(Element.Constraint.class).stream()
-                                        .map(Element.Constraint::condition)
-                                        .toList()))
+        return isVaried(node) ? Optional.of(written(node)) : Optional.empty();
+    }
+
+    /**
+     * The same, also for a component that has constraints and nothing to choose: it has one
+     * configuration, or none where a constraint is false.
+     */
+    public static Optional<Variants> orConstraintsOf(Component node) {
+        return isVaried(node) || isConstrained(node)
+                ? Optional.of(written(node))
                 : Optional.empty();
+    }
+
+    private static boolean isConstrained(Component node) {
+        return !node.elements(Element.Constraint.class).isEmpty()
+                || node.elements(Component.class).stream().anyMatch(Variants::isConstrained);
+    }
+
+    private static Variants written(Component node) {
+        return new Variants(
+                node,
+                firsts(node),
+                node.elements(Element.Constraint.class).stream()
+                        .map(Element.Constraint::condition)
+                        .toList());
     }
 
     private static boolean isVaried(Component node) {

@@ -3,6 +3,7 @@ package arcomat.syntax.build;
 import static arcomat.syntax.build.TreeBuilder.each;
 import static arcomat.syntax.build.TreeBuilder.optional;
 
+import arcomat.source.ComposedForm;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatLexer;
@@ -89,7 +90,7 @@ final class Phrases {
     // ---- names ----------------------------------------------------------------------------
 
     Name name(Token token) {
-        return new Name(span(token, token), texts.of(written(token, token)));
+        return new Name(span(token, token), ComposedForm.of(texts.of(written(token, token))));
     }
 
     Name name(ArcomatParser.NameContext context) {

@@ -8,6 +8,7 @@ import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
 import arcomat.tree.Unit.Comment;
 import arcomat.tree.Unit.Import;
+import arcomat.tree.Unit.Spelling;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -18,13 +19,19 @@ import java.util.function.UnaryOperator;
 /** Whole files: the way into this package. */
 public final class UnitBuilder extends TreeBuilder<Unit> {
     private final List<Comment> comments;
+    private final List<Spelling> spellings;
     private final AutomatonBuilder automata;
     private final ComponentBuilder components;
 
     private UnitBuilder(
-            Phrases phrases, List<Token> tokens, List<Comment> comments, List<Span> gaps) {
+            Phrases phrases,
+            List<Token> tokens,
+            List<Comment> comments,
+            List<Spelling> spellings,
+            List<Span> gaps) {
         super(phrases);
         this.comments = comments;
+        this.spellings = spellings;
         BlockBuilder blocks = new BlockBuilder(phrases);
         this.automata = new AutomatonBuilder(phrases, blocks);
         this.components = new ComponentBuilder(phrases, automata, tokens, gaps);
@@ -44,7 +51,9 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
             List<Comment> comments,
             List<Span> gaps,
             UnaryOperator<Span> places) {
-        return new UnitBuilder(new Phrases(file, places), tokens, comments, gaps).build(context);
+        Phrases phrases = new Phrases(file, places);
+        List<Spelling> spellings = Spellings.in(tokens, context, phrases);
+        return new UnitBuilder(phrases, tokens, comments, spellings, gaps).build(context);
     }
 
     @Override
@@ -78,7 +87,8 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
                         header.packageDeclaration(), p -> phrases.qualifiedName(p.qualifiedName())),
                 each(header.importDeclaration(), this::importOf),
                 definition,
-                comments);
+                comments,
+                spellings);
     }
 
     private Import importOf(ArcomatParser.ImportDeclarationContext context) {

@@ -35,8 +35,8 @@ final class Scan {
     private int place;
 
     /**
-     * @param lexer of rules without modes, predicates and {@code more}, one of which takes whatever
-     *     the others do not
+     * @param lexer of rules without modes and {@code more}, one of which takes whatever the others
+     *     do not; its table ends where a rule has a predicate
      */
     Scan(SourceFile file, Lexer lexer) {
         this.file = file;

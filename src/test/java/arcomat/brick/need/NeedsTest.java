@@ -262,14 +262,42 @@ class NeedsTest {
     }
 
     @Test
-    void ofOtherClassesOfLejosTheNumberIsAnEstimate() throws IOException {
-        Needs known = needs(robot("lejos.nxt.Sound.playTone(440, 100);"));
-        Needs other = needs(robot("new lejos.nxt.addon.CompassHTSensor(lejos.nxt.SensorPort.S1);"));
+    void whereAClassIsNowhereTheNumberIsAnEstimate() throws IOException {
+        String text =
+                "public class Bot { static class Lost {}"
+                        + " public static void main(String[] args) { new Lost(); } }";
+        Map<String, byte[]> classes = compiler.forBrick(new SourceFile("Bot.java", text)).orFail();
+        Needs all = Needs.of(classes.values().stream().map(NeedsTest::node).toList(), TABLE);
+        Needs less = Needs.of(List.of(node(classes.get("Bot"))), TABLE);
 
-        assertThat(known.isExact()).isTrue();
-        assertThat(needs(robot("new StringBuffer();")).isExact()).isFalse();
-        assertThat(other.isExact()).isFalse();
-        assertThat(other.classes()).isGreaterThan(known.classes());
+        assertThat(needs(robot("new StringBuffer();")).isExact()).isTrue();
+        assertThat(all.isExact()).isTrue();
+        assertThat(less.isExact()).isFalse();
+        assertThat(less.classes()).isEqualTo(all.classes());
+    }
+
+    /** The numbers are those of the linker of leJOS NXJ 0.9.1. */
+    @ParameterizedTest
+    @CsvSource({
+        "Behaviors, 101",
+        "Bumper, 105",
+        "Buttons, 75",
+        "Echoes, 83",
+        "Light, 86",
+        "Listeners, 108",
+        "Locks, 76",
+        "Motors, 93",
+        "Senses, 91",
+        "Survivor, 77",
+        "Threads, 78"
+    })
+    void classesAreThoseThatTheLinkerKeeps(String name, int classes) throws IOException {
+        Path programs = Path.of("lejos-runtime/sim/src/test/programs");
+        Map<String, byte[]> compiled = compiler.forBrick(source(programs, name + ".java")).orFail();
+        Needs needs = Needs.of(compiled.values().stream().map(NeedsTest::node).toList(), TABLE);
+
+        assertThat(needs.isExact()).isTrue();
+        assertThat(needs.classes()).isEqualTo(classes);
     }
 
     @Test

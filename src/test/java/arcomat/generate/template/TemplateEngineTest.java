@@ -3,6 +3,7 @@ package arcomat.generate.template;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -24,6 +25,7 @@ class TemplateEngineTest {
 
     private final TemplateEngine engine = new TemplateEngine(TEMPLATES, Duration.ofSeconds(1));
 
+    @Tag("slow")
     @Test
     @Timeout(60)
     void aTemplateThatDoesNotEndIsLeftAndOthersGoOn() throws Exception {

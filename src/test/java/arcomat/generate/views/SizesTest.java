@@ -15,6 +15,7 @@ import arcomat.generate.view.HeadView.AssignmentView;
 import arcomat.generate.view.HeadView.FieldView;
 import arcomat.semantics.ComponentBuilder;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.Collections;
@@ -125,6 +126,7 @@ class SizesTest {
         assertThat(MethodSize.statesPerMethod(List.of(huge))).isZero();
     }
 
+    @Tag("slow")
     @Test
     void manySectionsAreHeldBySections() {
         Map<String, String> classes = classes(7000, Choosing.FIRST);

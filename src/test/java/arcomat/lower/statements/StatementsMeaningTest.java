@@ -19,6 +19,7 @@ import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
 import arcomat.translate.HouseLanguages;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -33,7 +34,7 @@ import java.util.stream.Collectors;
 
 /** Statements mean what somebody who does one after the other would do. */
 class StatementsMeaningTest {
-    private static final int PROGRAMS = 3_000;
+    private static final int PROGRAMS = 1_000;
     private static final int STEPS = 25;
     private static final String NOT_ENABLED = "not enabled";
     private static final String ERROR = "error";
@@ -43,6 +44,7 @@ class StatementsMeaningTest {
 
     private static final String TOO_LARGE = "ARC0345";
 
+    @Tag("slow")
     @Test
     void statementsAreDoneOneAfterTheOther() {
         Map<String, Integer> seen = new HashMap<>();

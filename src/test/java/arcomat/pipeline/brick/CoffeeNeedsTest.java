@@ -25,11 +25,11 @@ class CoffeeNeedsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "fetcher.Fetcher, 120, 4.3, 9.8, 18",
-        "dispenser.Dispenser, 116, 4.1, 6.7, 18",
-        "preparer.Preparer, 114, 3.9, 1.8, 21",
+        "fetcher.Fetcher, 114, 4.3, 9.8, 18",
+        "dispenser.Dispenser, 110, 4.1, 6.7, 18",
+        "preparer.Preparer, 108, 3.9, 1.8, 21",
         "floor.Courier, 139, 6.5, 14, 17",
-        "floor.Barista, 127, 6.1, 1.8, 30"
+        "floor.Barista, 121, 6.1, 1.8, 30"
     })
     void isWhatWasMeasured(
             String robot, int classes, double memory, double slice, double tolerance) {

@@ -7,6 +7,7 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -32,6 +33,7 @@ class DamagedJarTest {
 
     @TempDir private Path folder;
 
+    @Tag("slow")
     @Test
     void noDamageIsAnErrorOfTheTool() throws IOException {
         byte[] jar = CoffeeRobot.of("coffee.fetcher.Fetcher").jar();

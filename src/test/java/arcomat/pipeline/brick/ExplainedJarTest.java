@@ -11,11 +11,11 @@ import arcomat.pipeline.Session;
 import arcomat.report.brick.BrickPage;
 import arcomat.report.page.Story;
 import arcomat.report.page.Story.Drawing;
-import arcomat.report.run.RobotRun;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.simulate.run.Choice;
 import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.RobotRun;
 import arcomat.simulate.run.Simulation;
 
 import org.junit.jupiter.api.Test;

@@ -14,7 +14,6 @@ import arcomat.symbols.Scenario;
 import arcomat.symbols.Workspace;
 
 import org.junit.jupiter.api.DynamicTest;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
@@ -55,15 +54,6 @@ class AgreementTest {
     @TestFactory
     Stream<DynamicTest> onTheCaseStudy() {
         return agreement(Lowering.lower(Scenario.models("models/coffee")), 20);
-    }
-
-    @Tag("slow")
-    @TestFactory
-    Stream<DynamicTest> onHundredsOfWords() {
-        return Stream.concat(
-                        Stream.of(Lowering.lower(Scenario.models("models/coffee"))),
-                        Scenario.in("agreement").stream().map(AgreementTest::model))
-                .flatMap(model -> agreement(model, 300));
     }
 
     private static Model model(Path file) {

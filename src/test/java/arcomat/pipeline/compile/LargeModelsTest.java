@@ -48,6 +48,7 @@ class LargeModelsTest {
         return automaton.build();
     }
 
+    @Tag("slow")
     @Test
     void tenThousandStates() {
         Component ring = ring(10_000);
@@ -61,6 +62,7 @@ class LargeModelsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aThousandStatesAgreeWithTheInterpreter() {
         new Agreement(ring(1000), List.of()).holds(5, 50);
@@ -137,6 +139,7 @@ class LargeModelsTest {
         return tangle.connect("k7.b", "b").build();
     }
 
+    @Tag("slow")
     @Test
     void aTangleOfPartsAgreesWithTheInterpreter() {
         new Agreement(tangle(1200), List.of()).holds(3, 20);
@@ -172,6 +175,7 @@ class LargeModelsTest {
     }
 
     /** Four times what one method can hold; the second guard is the negation of a row. */
+    @Tag("slow")
     @Test
     void aGuardThatIsTooLongForAMethodAgreesWithTheInterpreter() {
         String model =

@@ -39,6 +39,7 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -72,6 +73,7 @@ class MonitorsTest {
         return RandomAutomata.components();
     }
 
+    @Tag("slow")
     @Property(seed = "1", tries = 60, edgeCases = EdgeCasesMode.NONE)
     void allAgreeOnRandomAutomata(@ForAll("components") Component component, @ForAll int seed) {
         agree(component, List.of(), seed, 12);

@@ -15,6 +15,7 @@ import arcomat.model.Model;
 import arcomat.source.Diagnostic;
 import arcomat.symbols.Scenario;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -86,6 +87,7 @@ class OversizedCodeTest {
                 .isEqualTo(fits ? List.of() : List.of(said(JavaLimit.PARAMETERS.words())));
     }
 
+    @Tag("slow")
     @Test
     void aTransitionThatSendsOnThousandsOfPorts() {
         assertThat(findings(senders(3_000))).isEmpty();
@@ -108,6 +110,7 @@ class OversizedCodeTest {
                 .containsExactly(said(JavaLimit.TEXT.words()));
     }
 
+    @Tag("slow")
     @Test
     void aMonitor() {
         Component watched = senders(8_000).components().get(0);

@@ -30,6 +30,7 @@ import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
 import java.nio.file.Files;
@@ -61,6 +62,7 @@ class RobotTruthTest {
                 .map(name -> DynamicTest.dynamicTest(name, () -> agree(name, script(name))));
     }
 
+    @Tag("slow")
     @TestFactory
     Stream<DynamicTest> agreeOverRandomRuns() {
         return CoffeeRobot.NAMES.stream()

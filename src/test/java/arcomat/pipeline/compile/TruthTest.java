@@ -50,6 +50,7 @@ class TruthTest {
     private static final List<Path> ROOTS =
             List.of(Path.of("src/test/resources/truth"), Path.of("models/coffee"));
 
+    @Tag("some-slow")
     @TestFactory
     Stream<DynamicTest> interpreterAndCompiledCodeAgree() {
         return agreement(30, false);
@@ -58,9 +59,10 @@ class TruthTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> interpreterAndCompiledCodeAgreeOnHundredsOfWords() {
-        return agreement(300, true);
+        return agreement(100, true);
     }
 
+    @Tag("some-slow")
     @TestFactory
     Stream<DynamicTest> interpreterAndCompiledCodeAgreeOnEveryStreamTest() {
         return models().flatMap(model -> model.tests().stream())

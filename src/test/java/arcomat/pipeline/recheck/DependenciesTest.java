@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,7 +19,8 @@ class DependenciesTest {
     private static final int FILES = 30;
     private static final int ROUNDS = 40;
 
-    @Property(tries = 12)
+    @Tag("slow")
+    @Property(tries = 4)
     void followEdits(@ForAll long seed) throws IOException {
         Path folder = Files.createTempDirectory("dependencies");
         try {

@@ -6,6 +6,7 @@ import arcomat.guest.host.Guests;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -24,6 +25,7 @@ class FirstLookTest {
     private static final Pattern WORD = Pattern.compile("[A-Za-z]\\w*");
     private static final int EDITS = 4;
 
+    @Tag("slow")
     @Test
     void saysNothingThatIsTakenBack() throws IOException {
         Random random = new Random(16);

@@ -15,6 +15,7 @@ import arcomat.report.text.Style;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -33,7 +34,8 @@ class IncrementalCheckTest {
     private static final int FILES = 30;
     private static final int ROUNDS = 25;
 
-    @Property(tries = 12)
+    @Tag("slow")
+    @Property(tries = 4)
     void findsWhatAFullCheckFinds(@ForAll long seed) throws IOException {
         Path folder = Files.createTempDirectory("incremental");
         try {

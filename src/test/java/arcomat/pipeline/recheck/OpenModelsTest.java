@@ -15,6 +15,7 @@ import arcomat.source.SourceFile;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -34,7 +35,8 @@ class OpenModelsTest {
     /** Rounds from one change of a library to the next. */
     private static final int OF_OTHERS = 5;
 
-    @Property(tries = 12)
+    @Tag("slow")
+    @Property(tries = 4)
     void findsWhatAFullCheckFinds(@ForAll long seed) throws IOException {
         Path folder = Files.createTempDirectory("open");
         Path others = Files.createTempDirectory("others").toRealPath();

@@ -7,6 +7,7 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.diagram.DrawDiagrams;
+import arcomat.pipeline.diagram.MarkedFindings;
 import arcomat.pipeline.picture.PictureFormat;
 
 import org.junit.jupiter.api.function.Executable;
@@ -19,7 +20,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * The page around pictures under the hands of somebody: what lights up, folds, grows and is found.
@@ -96,7 +96,7 @@ class GalleryBrowserTest extends BrowserTest {
                         format,
                         folder.resolve("out").toString(),
                         100,
-                        Optional.empty(),
+                        MarkedFindings.NONE,
                         List.of(models.toString()));
         Session.in(folder, Progress.NONE).run(task).value().orElseThrow();
         browser.open(folder.resolve("out/index.html").toUri().toString(), "section");

@@ -50,6 +50,16 @@ class SnippetTest {
         assertThat(underlined("// 🤖 ⟦x⟧")).isEqualTo("    1 | // 🤖 x\n      |       ^\n");
     }
 
+    /** Wherever a long line is cut. */
+    @Test
+    void cutsNoCharacterInTwo() {
+        for (int lead = 0; lead < 2; lead++) {
+            String shown =
+                    underlined("x".repeat(lead) + "🤖".repeat(100) + "⟦x⟧" + "🤖".repeat(100));
+            assertThat(shown.codePoints().filter(c -> c >= 0xD800 && c <= 0xDFFF)).isEmpty();
+        }
+    }
+
     @Test
     void escapesWhatWouldActOnTheTerminal() {
         assertThat(underlined("\"\u001b[2J\" ⟦x⟧"))

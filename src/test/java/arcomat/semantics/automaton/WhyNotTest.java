@@ -27,6 +27,7 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +56,7 @@ class WhyNotTest {
     }
 
     /** A part of a guard is true, false or undefined as Kleene's logic has it. */
+    @Tag("slow")
     @Property(seed = "1", tries = 3000, edgeCases = EdgeCasesMode.NONE)
     void clausesAreJudgedAsKleeneDoes(
             @ForAll("conjuncts") List<Expression> conjuncts, @ForAll("letters") Value[] letter) {

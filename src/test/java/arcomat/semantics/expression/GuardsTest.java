@@ -34,6 +34,9 @@ class GuardsTest {
     private static final Value FALSE = new Value.BooleanValue(false);
     private static final Guards GUARDS = new Guards(Profile.TIME_SYNCHRONOUS);
 
+    /** Takes every guard for one that nests deeply. */
+    private static final Guards DEEP = new Guards(Profile.TIME_SYNCHRONOUS, 0);
+
     @Provide
     Arbitrary<Expression> guards() {
         return Expressions.guards();
@@ -58,9 +61,12 @@ class GuardsTest {
     void twoValuesSayWhenKleenesGuardIsTrue(
             @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
         Value kleene = evaluate(guard, letter);
-        assertThat(evaluate(Expressions.trueWhen(GUARDS, guard), letter)).isEqualTo(truth(kleene));
-        assertThat(evaluate(Expressions.trueWhen(GUARDS, not(guard)), letter))
-                .isEqualTo(truth(FALSE.equals(kleene) ? TRUE : FALSE));
+        for (Guards guards : List.of(GUARDS, DEEP)) {
+            assertThat(evaluate(Expressions.trueWhen(guards, guard), letter))
+                    .isEqualTo(truth(kleene));
+            assertThat(evaluate(Expressions.trueWhen(guards, not(guard)), letter))
+                    .isEqualTo(truth(FALSE.equals(kleene) ? TRUE : FALSE));
+        }
     }
 
     /** The one with the greater rank is enabled where its guard is true and the other's is not. */
@@ -98,11 +104,13 @@ class GuardsTest {
     @Property(seed = "2", tries = 2000, edgeCases = EdgeCasesMode.NONE)
     void whatAnAbsentPortLastCarriedHasNoInfluence(
             @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
-        Expression condition = Expressions.trueWhen(GUARDS, guard);
-        Value strict = evaluate(condition, letter);
-        for (boolean stale : new boolean[] {false, true}) {
-            assertThat(new StaleReading(letter, stale).holds(condition))
-                    .isEqualTo(TRUE.equals(strict));
+        for (Guards guards : List.of(GUARDS, DEEP)) {
+            Expression condition = Expressions.trueWhen(guards, guard);
+            Value strict = evaluate(condition, letter);
+            for (boolean stale : new boolean[] {false, true}) {
+                assertThat(new StaleReading(letter, stale).holds(condition))
+                        .isEqualTo(TRUE.equals(strict));
+            }
         }
     }
 

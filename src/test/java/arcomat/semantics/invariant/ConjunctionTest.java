@@ -14,6 +14,7 @@ import arcomat.semantics.expression.Conjunction;
 import arcomat.semantics.invariant.InvariantWatch.Truth;
 import arcomat.source.SourceFile;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
@@ -41,6 +42,7 @@ class ConjunctionTest {
         return new Plug(name, true, type, false, 0, false);
     }
 
+    @Tag("slow")
     @Test
     void theWholeIsTrueWhereAllPartsAre() {
         int several = 0;

@@ -1,10 +1,10 @@
 package arcomat.benchmarks.analysis;
 
 import arcomat.analysis.contradiction.Contradictions;
-import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
+import arcomat.semantics.Promise;
 
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

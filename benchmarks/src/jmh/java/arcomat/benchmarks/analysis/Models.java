@@ -1,8 +1,8 @@
 package arcomat.benchmarks.analysis;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.benchmarks.measure.LoweredSources;
 import arcomat.model.Model;
+import arcomat.semantics.Promise;
 import arcomat.source.SourceFile;
 
 import java.io.IOException;

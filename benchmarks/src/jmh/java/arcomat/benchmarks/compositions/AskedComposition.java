@@ -1,7 +1,6 @@
 package arcomat.benchmarks.compositions;
 
 import arcomat.analysis.refinement.InvariantProof;
-import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
@@ -13,6 +12,7 @@ import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.explored.ExploredFolder;
 import arcomat.pipeline.explored.ExploredSearches;
+import arcomat.semantics.Promise;
 
 import java.io.IOException;
 import java.nio.file.Path;

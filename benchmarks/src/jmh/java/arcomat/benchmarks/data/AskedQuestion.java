@@ -1,11 +1,11 @@
 package arcomat.benchmarks.data;
 
-import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.benchmarks.measure.LoweredSources;
 import arcomat.model.Model;
+import arcomat.semantics.Promise;
 
 import java.util.ArrayList;
 import java.util.List;

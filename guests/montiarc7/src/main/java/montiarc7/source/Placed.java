@@ -9,7 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An element of a component, and on which sides of variations it stands, from the outside in.
+ * An element of a component, and on which sides of variations it stands, from the outside in. What
+ * a constant condition rules out is not there.
  *
  * @param sides none where it is there in all variants
  */
@@ -38,6 +39,8 @@ public record Placed(ElementContext element, List<Side> sides) {
                 collect(group.element(), sides, all);
             } else if (each instanceof SoleModeElementContext mode) {
                 collect(mode.element(), sides, all);
+            } else if (each instanceof VariationElementContext variation && isDecided(variation)) {
+                collect(decided(variation), sides, all);
             } else if (each instanceof VariationElementContext variation) {
                 collect(List.of(variation.element(0)), and(sides, variation, true), all);
                 if (variation.element().size() > 1) {
@@ -47,6 +50,17 @@ public record Placed(ElementContext element, List<Side> sides) {
                 all.add(new Placed(each, sides));
             }
         }
+    }
+
+    /** Whether the condition of a variation is the same for all choices of features. */
+    public static boolean isDecided(VariationElementContext variation) {
+        return Constants.truth(variation.expression()).isPresent();
+    }
+
+    /** Of a variation that is decided, the side that is there. */
+    public static List<ElementContext> decided(VariationElementContext variation) {
+        boolean holds = Constants.truth(variation.expression()).orElseThrow();
+        return variation.element().stream().skip(holds ? 0 : 1).limit(1).toList();
     }
 
     public static List<Side> and(

@@ -43,6 +43,20 @@ public final class TypeNames {
                     Map.entry("Character", "char"),
                     Map.entry("String", "String"));
 
+    /** Types that every Java file knows, and that Arcomat compares type arguments with. */
+    private static final Set<String> JAVA =
+            Set.of(
+                    "CharSequence",
+                    "Cloneable",
+                    "Comparable",
+                    "Enum",
+                    "Iterable",
+                    "Number",
+                    "Object",
+                    "Runnable");
+
+    private static final String LANGUAGE = "java.lang.";
+
     private final UnitContext unit;
     private final String packageName;
     private final Folder folder;
@@ -148,7 +162,7 @@ public final class TypeNames {
 
     /** What arguments of a type parameter have to be; nothing where nobody here knows the type. */
     public Optional<String> bound(TypeContext type) {
-        Optional<String> known = known(type);
+        Optional<String> known = known(type).or(() -> java(type));
         if (known.isEmpty()) {
             lacks.note(
                     Lack.OPAQUE,
@@ -159,11 +173,33 @@ public final class TypeNames {
         return known;
     }
 
+    /** A type of java.lang, with its arguments where all of them are known. */
+    private Optional<String> java(TypeContext type) {
+        String plain = plain(type);
+        if (!JAVA.contains(plain) || !isOfJava(type.qname().getText(), plain)) {
+            return Optional.empty();
+        }
+        List<TypeContext> arguments =
+                type.typeArguments() == null ? List.of() : type.typeArguments().type();
+        List<String> known = arguments.stream().flatMap(each -> this.known(each).stream()).toList();
+        boolean isComplete = !known.isEmpty() && known.size() == arguments.size();
+        return Optional.of(isComplete ? plain + "<" + String.join(", ", known) + ">" : plain);
+    }
+
+    private boolean isOfJava(String name, String plain) {
+        return name.equals(plain)
+                ? unit.importing().stream()
+                        .map(each -> each.qname().getText())
+                        .filter(each -> each.endsWith("." + plain))
+                        .allMatch((LANGUAGE + plain)::equals)
+                : name.equals(LANGUAGE + plain);
+    }
+
     /** A type of Arcomat, of a class diagram, or that a parameter stands for. */
     private Optional<String> known(TypeContext type) {
         String name = type.qname().getText();
         String plain = plain(type);
-        String own = name.equals(plain) || name.startsWith("java.lang.") ? OWN.get(plain) : null;
+        String own = name.equals(plain) || name.startsWith(LANGUAGE) ? OWN.get(plain) : null;
         if (own != null) {
             return Optional.of(own);
         }
@@ -237,9 +273,7 @@ public final class TypeNames {
                     .or(() -> folder.diagramIn(qualifier, plain));
         }
         for (ImportingContext each : unit.importing()) {
-            String full = each.qname().getText();
-            if (isStar(each) || full.endsWith("." + plain)) {
-                String from = isStar(each) ? full : Folder.packageOf(full);
+            for (String from : places(each, plain)) {
                 Optional<String> found =
                         folder.diagram(from, plain)
                                 .or(
@@ -253,6 +287,26 @@ public final class TypeNames {
             }
         }
         return folder.diagramIn(packageName, plain);
+    }
+
+    /**
+     * Diagrams or packages from which an import may bring a type of that name: with a type, too,
+     * come all its constants, or one of them.
+     */
+    private static List<String> places(ImportingContext each, String plain) {
+        String full = each.qname().getText();
+        String around = Folder.packageOf(full);
+        List<String> places = new ArrayList<>();
+        if (isStar(each)) {
+            places.add(full);
+        }
+        if (full.endsWith("." + plain)) {
+            places.add(around);
+        }
+        if (!isStar(each) && around.endsWith("." + plain)) {
+            places.add(Folder.packageOf(around));
+        }
+        return places;
     }
 
     /** A type of parts, or of what is extended. */

@@ -6,6 +6,9 @@ package arcomat.rt;
  * exception on the brick.
  */
 public final class Check {
+    /** The first whole number that is too large for a long. */
+    private static final double BEYOND = 9223372036854775808.0;
+
     private Check() {}
 
     /** The value, if it lies between low and high, both included. */
@@ -67,6 +70,17 @@ public final class Check {
             throw byZero(place);
         }
         return dividend % divisor;
+    }
+
+    /** Java's conversion: the brick makes something else of a number beyond 64 bits. */
+    public static long truncate(double number) {
+        if (number >= BEYOND) {
+            return Long.MAX_VALUE;
+        }
+        if (number <= -BEYOND) {
+            return Long.MIN_VALUE;
+        }
+        return number != number ? 0 : (long) number;
     }
 
     private static ModelError byZero(String place) {

@@ -153,6 +153,15 @@ final class ProgramThreads implements Lifetime {
         end(Outcome.of(Outcome.Kind.ABORTED));
     }
 
+    /** What an observer does not see is unknown: so this counts also where the program is over. */
+    void observerFailed(ObserverFailed error) {
+        Outcome failed = Outcome.failed(error);
+        end(failed);
+        if (outcome.kind() != Outcome.Kind.FAILED) {
+            outcome = failed;
+        }
+    }
+
     /** The first reason counts. */
     void end(Outcome reason) {
         if (outcome.kind() != Outcome.Kind.RUNNING) {

@@ -45,7 +45,10 @@ public final class SimulatedBrick implements Brick, Action.Receiver {
     private void programOver() {
         hardware.programEnded();
         if (hardware.limits().counted()) {
-            threads.outcome().error().ifPresent(hardware::programFailed);
+            threads.outcome()
+                    .error()
+                    .filter(error -> !(error instanceof ObserverFailed))
+                    .ifPresent(hardware::programFailed);
         }
     }
 
@@ -89,9 +92,15 @@ public final class SimulatedBrick implements Brick, Action.Receiver {
         return outcome().kind() == Outcome.Kind.RUNNING;
     }
 
+    /** An observer that throws something ends the program, whose failure that is. */
     @Override
     public void observe(Observer observer) {
-        hardware.observe(observer);
+        hardware.observe(new GuardedObserver(observer, this::observerFailed));
+    }
+
+    private void observerFailed(Throwable error) {
+        hardware.observe(new SilentObserver());
+        threads.observerFailed(new ObserverFailed(error));
     }
 
     /** Plays a script; its times count from switching on. */

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import arcomat.sim.device.Key;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.MotorOrder;
+import arcomat.sim.device.Screen;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.load.Program;
 import arcomat.sim.script.ScriptParser;
 import arcomat.sim.time.OutOfPatience;
@@ -18,6 +20,9 @@ import java.util.Map;
 
 /** How programs end, and what is left of them. */
 class OutcomeTest {
+    private static final String OBSERVER =
+            "an observer of the program failed: java.lang.IllegalStateException: ";
+
     private static SimulatedBrick run(Program program, String script) {
         try (Laboratory laboratory = new Laboratory()) {
             SimulatedBrick brick = laboratory.place("brick", program);
@@ -160,6 +165,47 @@ class OutcomeTest {
         assertThat(run(program, "").outcome().failure().orElseThrow())
                 .contains("Part is not in the program's jar")
                 .contains("Main.java:3");
+    }
+
+    /** Neither the program nor the world may catch what an observer throws. */
+    @Test
+    void anObserverThatThrowsEndsTheProgramWithAMessage() {
+        String swallows =
+                "while (true) { try { LCD.drawInt(1, 0, 0); Delay.msDelay(10); }"
+                        + " catch (RuntimeException e) { } }";
+        assertThat(observed(swallows)).startsWith(OBSERVER + "the screen");
+        assertThat(observed("Motor.A.forward();", "Delay.msDelay(1000);"))
+                .startsWith(OBSERVER + "the motor is let go");
+        assertThat(observed("Motor.A.forward();", "while (true) { Delay.msDelay(10); }"))
+                .startsWith(OBSERVER + "the motor is let go");
+        assertThat(observed("int x = 1 / (args == null ? 0 : 1);")).contains("/ by zero");
+    }
+
+    private static String observed(String... body) {
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick brick = laboratory.place("brick", Compiled.main(body));
+            brick.observe(new Disturbed());
+            laboratory.runUntil(2000);
+            brick.press(Key.ENTER);
+            brick.press(Key.ESCAPE);
+            laboratory.runToEnd(10_000);
+            assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.FAILED);
+            return brick.outcome().failure().orElseThrow();
+        }
+    }
+
+    private static final class Disturbed extends SilentObserver {
+        @Override
+        public void screenChanged(long time, Screen screen) {
+            throw new IllegalStateException("the screen");
+        }
+
+        @Override
+        public void motorOrdered(long time, int motor, MotorOrder order, int value) {
+            if (order == MotorOrder.FLOAT) {
+                throw new IllegalStateException("the motor is let go");
+            }
+        }
     }
 
     @Test

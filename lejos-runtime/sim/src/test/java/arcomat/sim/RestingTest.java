@@ -9,6 +9,7 @@ import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
 import arcomat.sim.trace.Recorder;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -120,6 +121,7 @@ class RestingTest {
     }
 
     /** What may happen in a slice, or between two of them. */
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -174,6 +176,7 @@ class RestingTest {
         check(sources.program(), true);
     }
 
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -190,6 +193,7 @@ class RestingTest {
     }
 
     /** Main would be through before its last words, if its thread rested. */
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -208,6 +212,7 @@ class RestingTest {
         check(sources.program(), false);
     }
 
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -222,6 +227,7 @@ class RestingTest {
         check(sources.program(), false);
     }
 
+    @Tag("some-slow")
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -244,6 +250,7 @@ class RestingTest {
         check(sources.program(), false);
     }
 
+    @Tag("some-slow")
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -263,6 +270,7 @@ class RestingTest {
     }
 
     /** A lock of the class that main would give back, if it came to that. */
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(strings = "public static synchronized")
     void mainThatHoldsALockIsNoSuchProgram(String modifiers) {
@@ -272,6 +280,7 @@ class RestingTest {
     }
 
     /** An enumeration cannot begin again: each brick has classes of its own, and threads. */
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(strings = "enum Step { LEFT, RIGHT }")
     void aProgramThatCannotBeginAgainDoesNotRest(String members) {
@@ -281,6 +290,7 @@ class RestingTest {
     }
 
     /** A variable that cannot be saved: two types, of which one has to be chosen. */
+    @Tag("some-slow")
     @ParameterizedTest
     @ValueSource(strings = {"double x = 0.5 * cycle;", "Object[] x = {\"a\"}; Object y = x[0];"})
     void aLoopWithOtherVariablesCannotRest(String declaration) {

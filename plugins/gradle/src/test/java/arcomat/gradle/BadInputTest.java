@@ -3,12 +3,14 @@ package arcomat.gradle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 
 /** Whatever a build script may have wrong is told in one sentence, and never as a stack trace. */
+@Tag("build")
 class BadInputTest {
     @TempDir private Path folder;
     private ConsumerProject shop;

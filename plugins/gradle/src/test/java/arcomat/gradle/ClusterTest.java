@@ -2,12 +2,14 @@ package arcomat.gradle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 
 /** The engine that makes runs of campaigns on other machines. */
+@Tag("build")
 class ClusterTest {
     private static final String[] GATE = {
         "gateArc",

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import java.nio.file.Path;
 
 /** The case study, whose model root is the folder of its project. */
-@Tag("slow")
+@Tag("build")
 class CoffeeServiceTest {
     @TempDir private Path folder;
 

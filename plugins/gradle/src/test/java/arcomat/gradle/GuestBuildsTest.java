@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import java.nio.file.Path;
 
 /** The guests of {@code guests/} know nothing of this build but a repository. */
-@Tag("slow")
+@Tag("build")
 class GuestBuildsTest {
     @TempDir private Path folder;
 

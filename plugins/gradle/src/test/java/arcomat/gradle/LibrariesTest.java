@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.gradle.testkit.runner.BuildResult;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -18,6 +19,7 @@ import java.util.zip.ZipEntry;
 /**
  * Models as artifacts: those of one project refer to those of another one, whose jar has the code.
  */
+@Tag("build")
 class LibrariesTest {
     private static final String ROVER = "src/main/arc/shop/Rover.arc";
     private static final String BUMPER = "parts/src/main/arc/shop/Bumper.arc";

@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.gradle.testkit.runner.BuildResult;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 
 /** A build of two projects: the models of one are made of those of the other. Neither has tests. */
+@Tag("build")
 class ModulesTest {
     private static final String ROVER = "src/main/arc/shop/Rover.arc";
 

@@ -14,7 +14,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /** What {@code arcomat new} makes is built as it is, with what is published. */
-@Tag("slow")
+@Tag("build")
 class NewProjectTest {
     @TempDir private Path folder;
 

@@ -17,7 +17,7 @@ import java.nio.file.Path;
  * The oldest Gradle that the plugin is for, where {@code gradle/central/assemble} has put it. What
  * newer ones have fetched it does not find, so it takes nothing from repositories.
  */
-@Tag("slow")
+@Tag("build")
 class OldestGradleTest {
     private static final Path HOME =
             Path.of(System.getProperty("gradle.user.home"), "central-dists/gradle-7.6");

@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  * is done; lines with {@code ./gradlew} name tasks and options that are there. Other files of the
  * page are in the project as well; a page without models gets those of a shop.
  */
-@Tag("slow")
+@Tag("build")
 class PagesTest {
     private static final Path DOCS = Path.of("../../docs");
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+) ?([^\n]*)\n(.*?)^```$");

@@ -25,7 +25,7 @@ import java.util.zip.ZipEntry;
 import javax.xml.parsers.DocumentBuilderFactory;
 
 /** What a repository gets can be used without this build, by the tools that ask for the details. */
-@Tag("slow")
+@Tag("build")
 class PublishedArtifactsTest {
     private static final String VERSION = System.getProperty("version");
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import java.nio.file.Path;
 
 /** A small project that knows nothing of this build but a repository. */
-@Tag("slow")
+@Tag("build")
 class PublishedShopTest {
     @TempDir private Path folder;
     private ConsumerProject shop;

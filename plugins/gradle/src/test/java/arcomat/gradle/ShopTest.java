@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.gradle.testkit.runner.BuildResult;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 
 /** A small project's life: built, built again, elsewhere, changed, broken. */
+@Tag("build")
 class ShopTest {
     private static final String BUMPER = "src/main/arc/shop/Bumper.arc";
 

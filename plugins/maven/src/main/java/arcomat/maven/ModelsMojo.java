@@ -26,7 +26,7 @@ import java.util.zip.ZipOutputStream;
  */
 @Mojo(name = "models", defaultPhase = LifecyclePhase.GENERATE_RESOURCES, threadSafe = true)
 public final class ModelsMojo extends ToolMojo {
-    /** As in other jars that are the same whenever they are made. */
+    /** As in other jars that are the same wherever and whenever they are made. */
     private static final LocalDateTime TIME = LocalDateTime.of(1980, 2, 1, 0, 0);
 
     @SuppressWarnings({"deprecation", "NullAway.Init"}) // its successor is of another library

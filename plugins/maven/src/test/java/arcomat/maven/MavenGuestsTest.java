@@ -16,7 +16,7 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /** A guest that one module makes takes part in the checks of the next one. */
-@Tag("slow")
+@Tag("build")
 class MavenGuestsTest {
     private static final Path LAB = Path.of("../../guests/lab/src/main");
     private static final Path CART = Path.of("../../guests/lab/src/test/arc/floor/Cart.arc");

@@ -20,7 +20,7 @@ import java.util.zip.ZipEntry;
 /**
  * Models as artifacts: those of one project refer to those of another one, whose jar has the code.
  */
-@Tag("slow")
+@Tag("build")
 class MavenLibrariesTest {
     private static final Path MODELS =
             Path.of("../gradle/src/test/projects/shop/src/main/arc/shop");

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  * A small project that knows nothing of this build but a repository, built by the Maven of this
  * machine: once with a network, to have all that Maven needs, and from then on without.
  */
-@Tag("slow")
+@Tag("build")
 class MavenShopTest {
     private static final Path MODELS = Path.of("../gradle/src/test/projects/shop/src");
     private static final String BUMPER = "src/main/arc/shop/Bumper.arc";

@@ -24,6 +24,7 @@ public final class AutomatonLaws {
                     error("ARC0304", new StateExists()).needing(NAMES),
                     warning("ARC1003", new StateReached()).needing(ALL),
                     error("ARC0301", new StateRequired()).needing(ALL),
+                    warning("ARC0349", new TransitionOnce()),
                     executableWarning("ARC1001", new TransitionsApart()).needing(ALL));
 
     private AutomatonLaws() {}

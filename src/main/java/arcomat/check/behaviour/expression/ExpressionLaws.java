@@ -2,6 +2,7 @@ package arcomat.check.behaviour.expression;
 
 import static arcomat.check.law.Law.Needs.NAMES;
 import static arcomat.check.law.Law.error;
+import static arcomat.check.law.Law.warning;
 
 import arcomat.check.law.Law;
 
@@ -18,6 +19,7 @@ public final class ExpressionLaws {
                     error("ARC0331", new LiteralFits()),
                     error("ARC0322", new LiteralInRange()),
                     error("ARC0329", new NameExists()).needing(NAMES),
+                    warning("ARC0348", new OctalNumber()),
                     error("ARC0330", new OperandTypes()),
                     error("ARC0308", new OutputPortNotRead()),
                     error("ARC0332", new RangeWellFormed()),

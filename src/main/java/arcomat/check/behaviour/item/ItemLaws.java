@@ -22,6 +22,7 @@ public final class ItemLaws {
                     error("ARC0305", new ItemNameExists()).needing(NAMES),
                     error("ARC0316", new ItemTypeFits()).needing(NAMES),
                     error("ARC0311", new NoAlternativesOnOutput()),
+                    error("ARC0350", new NoConditionAsMessage()).needing(NAMES),
                     error("ARC0312", new NoSequenceOnVariable()),
                     error("ARC0313", new NoSilenceOnVariable()),
                     error("ARC0318", new OmittedNameUnique()).needing(ALL),

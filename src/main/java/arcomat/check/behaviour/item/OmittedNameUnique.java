@@ -6,6 +6,7 @@ import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 
 import java.util.List;
+import java.util.Optional;
 
 /** ARC0318: where the name is left out, exactly one port or variable fits. (Wor16 AR5) */
 public final class OmittedNameUnique implements Check.OnItem {
@@ -15,7 +16,15 @@ public final class OmittedNameUnique implements Check.OnItem {
         if (item.hasName()) {
             return;
         }
-        if (item.target().isUnknown()) {
+        Optional<MisplacedCondition> condition = MisplacedCondition.in(item);
+        if (item.target().isUnknown() && condition.isPresent()) {
+            findings.report(
+                    item.node(),
+                    "no %s port or variable takes '%s'; a condition stands in [..]",
+                    side(item),
+                    text(item));
+            condition.get().fix(context).ifPresent(findings::fix);
+        } else if (item.target().isUnknown()) {
             findings.report(
                     item.node(),
                     "no %s port or variable takes '%s'; correct the message, or write the name that"

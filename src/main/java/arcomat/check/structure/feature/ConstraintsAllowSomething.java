@@ -15,7 +15,7 @@ public final class ConstraintsAllowSomething implements Check.OnUnit {
     @Override
     public void check(Unit unit, Context context, Findings findings) {
         if (unit.definition() instanceof Component component) {
-            Variants.of(component)
+            Variants.orConstraintsOf(component)
                     .filter(ConstraintsAllowSomething::isContradictory)
                     .ifPresent(each -> report(each, findings));
         }
@@ -29,16 +29,20 @@ public final class ConstraintsAllowSomething implements Check.OnUnit {
     private static void report(Variants variants, Findings findings) {
         List<Expression> core = core(variants);
         Expression last = core.get(core.size() - 1);
-        findings.report(
-                last,
-                core.size() == 1
-                        ? "no choice of features makes this constraint true; no instance of '%s'"
-                                + " can be; correct it"
-                        : "no choice of features makes this constraint and those before it true;"
-                                + " no instance of '%s' can be; correct one of them",
-                variants.node().name());
+        findings.report(last, message(variants, core), variants.node().name());
         core.subList(0, core.size() - 1)
                 .forEach(each -> findings.related(each, "contradicts with the others"));
+    }
+
+    private static String message(Variants variants, List<Expression> core) {
+        if (variants.features().isEmpty()) {
+            return "this constraint is false; no instance of '%s' can be; correct it";
+        }
+        return core.size() == 1
+                ? "no choice of features makes this constraint true; no instance of '%s' can be;"
+                        + " correct it"
+                : "no choice of features makes this constraint and those before it true; no"
+                        + " instance of '%s' can be; correct one of them";
     }
 
     /** Constraints that contradict each other, and would not if one of them were left out. */

@@ -25,7 +25,7 @@ public final class FeaturesWellFormed implements Check.OnUnit {
     @Override
     public void check(Unit unit, Context context, Findings findings) {
         if (unit.definition() instanceof Component component) {
-            Variants.of(component).ifPresent(variants -> check(variants, findings));
+            Variants.orConstraintsOf(component).ifPresent(variants -> check(variants, findings));
         }
     }
 
@@ -114,9 +114,15 @@ public final class FeaturesWellFormed implements Check.OnUnit {
                     element,
                     "features and their constraints belong to the component that the file is"
                             + " about; write this there, beside its ports");
-        } else if (element instanceof Element.Constraint constraint) {
+        } else if (element instanceof Element.Constraint constraint
+                && !isDecided(constraint, features)) {
             condition(constraint.condition(), features, findings);
         }
+    }
+
+    /** Without features a constraint is true and of no use, or false (ARC0151). */
+    private static boolean isDecided(Element.Constraint constraint, FeatureChoice features) {
+        return features.choices().isEmpty() && features.holds(constraint.condition()).isPresent();
     }
 
     private static void condition(Expression condition, FeatureChoice features, Findings findings) {

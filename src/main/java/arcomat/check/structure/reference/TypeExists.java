@@ -4,6 +4,8 @@ import arcomat.check.facts.MeantParts;
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
 import arcomat.check.naming.JavaClassUnique;
+import arcomat.source.Fix;
+import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
@@ -12,6 +14,7 @@ import arcomat.tree.TypeReference;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** ARC0120: a type is one that messages can have, and it is clear which one is meant. */
 public final class TypeExists implements Check.OnType {
@@ -63,6 +66,11 @@ public final class TypeExists implements Check.OnType {
             Imports.reportMissing(type.name(), "type", elsewhere.get(0), context.unit(), findings);
             return;
         }
+        Optional<BuiltinType> meant = BuiltinType.meantBy(type.name().text());
+        if (meant.isPresent()) {
+            reportMeant(type, meant.get(), findings);
+            return;
+        }
         List<String> names = new ArrayList<>(VisibleNames.types(context));
         if (type.span().equals(type.name().span())) {
             names.addAll(CLAUSES);
@@ -73,6 +81,19 @@ public final class TypeExists implements Check.OnType {
                 type.name().text(),
                 names,
                 advice(type, context));
+    }
+
+    private static void reportMeant(TypeReference type, BuiltinType meant, Findings findings) {
+        findings.report(
+                        type.name(),
+                        "there is no type '%s'; did you mean '%s'?",
+                        type.name(),
+                        meant.text())
+                .fix(
+                        Fix.replace(
+                                "Replace '%s' by '%s'".formatted(type.name(), meant.text()),
+                                type.name().span(),
+                                meant.text()));
     }
 
     private static String advice(TypeReference type, Context context) {

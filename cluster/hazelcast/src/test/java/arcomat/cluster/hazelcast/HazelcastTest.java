@@ -48,7 +48,7 @@ class HazelcastTest {
 
     /** Programs are made once. */
     private static Freight freight() {
-        Path folder = Path.of("../../src/test/resources/campaign/joint").toAbsolutePath();
+        Path folder = Path.of("../../campaign/src/test/resources/campaign/joint").toAbsolutePath();
         Session session = new Session(new PathNames(folder), Progress.NONE);
         PrepareCampaign task =
                 new PrepareCampaign(

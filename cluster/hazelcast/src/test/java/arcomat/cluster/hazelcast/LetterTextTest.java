@@ -6,6 +6,7 @@ import arcomat.campaign.Row;
 import arcomat.campaign.coverage.ReachedItems;
 import arcomat.pipeline.campaign.engine.Answer;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -42,6 +43,7 @@ class LetterTextTest {
                 new Letter.Breakdown(WORKER, "java.lang.OutOfMemoryError"));
     }
 
+    @Tag("some-slow")
     @ParameterizedTest
     @MethodSource("letters")
     void whatIsWrittenIsRead(Letter letter) throws IOException {
@@ -49,6 +51,7 @@ class LetterTextTest {
     }
 
     /** It may come from anybody: nothing but this exception, and no memory that is not there. */
+    @Tag("some-slow")
     @ParameterizedTest
     @MethodSource("letters")
     void whatIsDamagedIsNoLetter(Letter letter) {

@@ -14,6 +14,7 @@ import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.sim.device.Limits;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
@@ -26,11 +27,12 @@ import java.time.Duration;
 import java.util.Map;
 
 /** On a world with two lamps that are watched together. */
+@Tag("slow")
 class WorkshopTest {
     private static final Trial TRIAL = new Trial(3, 4, Map.of());
 
     private static Workshop workshop(String version) throws WrongUse {
-        Path folder = Path.of("../../src/test/resources/campaign/joint").toAbsolutePath();
+        Path folder = Path.of("../../campaign/src/test/resources/campaign/joint").toAbsolutePath();
         Session session = new Session(new PathNames(folder), Progress.NONE);
         PrepareCampaign task =
                 new PrepareCampaign(

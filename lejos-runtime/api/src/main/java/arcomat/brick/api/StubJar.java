@@ -12,8 +12,12 @@ import java.util.zip.ZipOutputStream;
 
 /** Packs the stubs of all classes into one jar. */
 public final class StubJar {
-    /** The oldest date that a zip file can say: jars of one table are the same at any time. */
-    private static final LocalDateTime NO_DATE = LocalDateTime.of(1980, 1, 1, 0, 0);
+    /**
+     * Jars of one table are the same at any time and in any zone. With the first moment of 1980,
+     * which Java takes for a date before those of archives, entries would have a field with the
+     * time in UTC.
+     */
+    private static final LocalDateTime NO_DATE = LocalDateTime.of(1980, 2, 1, 0, 0);
 
     private StubJar() {}
 

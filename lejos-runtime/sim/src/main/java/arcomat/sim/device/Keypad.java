@@ -3,17 +3,17 @@ package arcomat.sim.device;
 import arcomat.sim.time.Timetable;
 import arcomat.sim.time.VirtualTime;
 
-/** The buttons. As on the brick, a press is seen only when it has lasted for a while. */
+/**
+ * The buttons. As on the brick, programs see what is down, and what is up again, only when no
+ * button has changed for a while.
+ */
 public final class Keypad {
     /** Pressed together, these two end any program. */
     private static final int ABORT = Key.ENTER.bit() | Key.ESCAPE.bit();
 
-    private static final Key[] KEYS = Key.values();
-
     private final VirtualTime time;
     private final long delay;
     private final Runnable abort;
-    private final long[] pressed = new long[KEYS.length];
     private final Timetable settling = new Settling();
     private int touched;
     private int down;
@@ -28,51 +28,38 @@ public final class Keypad {
     }
 
     public void press(Key key) {
-        if ((touched & key.bit()) != 0) {
-            return;
-        }
-        touched |= key.bit();
-        pressed[key.ordinal()] = time.now();
-        if (delay == 0) {
-            see(key);
-        } else {
-            time.restart(settling, nextSeen());
-        }
+        touch(touched | key.bit());
     }
 
     public void release(Key key) {
-        touched &= ~key.bit();
-        down &= ~key.bit();
+        touch(touched & ~key.bit());
     }
 
-    private void see(Key key) {
-        down |= key.bit();
-        if ((down & ABORT) == ABORT) {
+    private void touch(int keys) {
+        if (keys == touched) {
+            return;
+        }
+        touched = keys;
+        if (delay == 0) {
+            settle();
+        } else {
+            time.restart(settling, time.now() + delay);
+        }
+    }
+
+    private void settle() {
+        int before = down;
+        down = touched;
+        if (down != before && (down & ABORT) == ABORT) {
             abort.run();
         }
-    }
-
-    /** When the next of the keys that are pressed and not yet seen will be. */
-    private long nextSeen() {
-        long next = VirtualTime.NEVER;
-        for (Key key : KEYS) {
-            if ((touched & ~down & key.bit()) != 0) {
-                next = Math.min(next, pressed[key.ordinal()] + delay);
-            }
-        }
-        return next;
     }
 
     private final class Settling extends Timetable {
         @Override
         protected long act() {
-            for (Key key : KEYS) {
-                boolean isNew = (touched & ~down & key.bit()) != 0;
-                if (isNew && pressed[key.ordinal()] + delay <= time.now()) {
-                    see(key);
-                }
-            }
-            return nextSeen();
+            settle();
+            return VirtualTime.NEVER;
         }
     }
 

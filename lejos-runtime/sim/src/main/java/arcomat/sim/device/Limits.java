@@ -3,8 +3,8 @@ package arcomat.sim.device;
 /**
  * What a real brick does to programs that a PC would not, measured on leJOS NXJ 0.9.1.
  *
- * @param keyDelay microseconds from a press to the moment at which programs see it; a key that is
- *     released before has not been pressed
+ * @param keyDelay microseconds for which no key changes before programs see which ones are down; a
+ *     key that is released before has not been pressed
  * @param packetsInPieces whether some packets arrive in two parts, as on the air
  * @param counted whether objects take memory, calls take frames, and computing takes time; and
  *     whether errors look as they do there

@@ -1,0 +1,1 @@
+component Again extends Needy(1, 2, a = 3) { }

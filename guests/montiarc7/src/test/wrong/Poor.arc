@@ -1,0 +1,1 @@
+component Poor extends Needy(1) { }

@@ -1,0 +1,1 @@
+component Rich extends Needy(1, 2, 3, 4) { }

@@ -1,0 +1,1 @@
+component Strange extends Needy(1, b = 2, d = 3) { }

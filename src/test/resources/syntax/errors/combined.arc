@@ -1,0 +1,3 @@
+component Combined {
+    port in Integer café, in Integer q̃;
+}

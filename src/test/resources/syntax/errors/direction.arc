@@ -1,0 +1,4 @@
+component Direction {
+    port in Integer a‮;
+    Java inv ordered: { /* fine */ int ⁦ x; };
+}

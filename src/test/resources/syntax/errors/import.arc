@@ -1,0 +1,7 @@
+package q;
+
+imprt r.S;
+
+component P {
+    port in Boolean a;
+}

@@ -1,0 +1,5 @@
+pckage q;
+
+component P {
+    port in Boolean a;
+}

@@ -1,0 +1,7 @@
+component First {
+    port in Boolean a;
+}
+
+component Second {
+    port in Boolean a;
+}

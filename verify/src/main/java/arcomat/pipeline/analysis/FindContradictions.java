@@ -1,0 +1,107 @@
+package arcomat.pipeline.analysis;
+
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.generate.ControllerText;
+import arcomat.generate.GeneratedFile;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.Asked;
+import arcomat.pipeline.check.LoweredModels;
+import arcomat.pipeline.check.ModelQuestion;
+import arcomat.pipeline.check.PromiseReference;
+import arcomat.pipeline.file.OutputFolder;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Promise;
+import arcomat.source.SourceFile;
+import arcomat.syntax.Formatter;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * Looks for contradictions between the requirements on a component, and writes a controller where
+ * there are none.
+ *
+ * @param component as written: {@code p.Timer(2)}, or {@code p.Robot#waits} for one automaton only
+ * @param all whether all minimal contradicting subsets are wanted
+ * @param out the folder for a controller, which is replaced as a whole
+ */
+public record FindContradictions(
+        String component,
+        boolean all,
+        Optional<String> out,
+        List<String> paths,
+        AnalysisLimits limits)
+        implements ModelQuestion<FindContradictions.Found> {
+    private static final int LONGEST_REMARK = 80;
+
+    /**
+     * Whether requirements contradict each other.
+     *
+     * @param asked the requirements
+     * @param controller the text of a controller that keeps them; empty where there is none
+     * @param file where the controller was written; empty if it was not
+     */
+    public record Found(
+            Promise asked,
+            Consistency consistency,
+            Optional<String> controller,
+            Optional<String> file) {}
+
+    @Override
+    public Asked asked() {
+        return Asked.components(List.of(component));
+    }
+
+    /**
+     * @throws WrongUse where there is no such component, or the folder cannot be written
+     */
+    @Override
+    public Found answer(LoweredModels models, Session session) throws WrongUse {
+        Promise promise = PromiseReference.parse(component).automataIn(models);
+        session.progress().step("looking for contradictions");
+        Consistency found = find(promise);
+        Optional<GeneratedFile> controller = found.controller().map(each -> text(each, promise));
+        Optional<String> written = Optional.empty();
+        if (controller.isPresent() && out.isPresent()) {
+            GeneratedFile file = controller.get();
+            OutputFolder.replaceTexts(out.get(), Map.of(file.path(), file.text()), session.names());
+            written = Optional.of(out.get() + "/" + file.path());
+        }
+        return new Found(promise, found, controller.map(GeneratedFile::text), written);
+    }
+
+    private Consistency find(Promise promise) throws WrongUse {
+        try {
+            return Contradictions.check(promise, all, limits.budget());
+        } catch (ModelError error) {
+            throw new WrongUse(
+                    "the model goes wrong before it reads anything: " + error.getMessage());
+        }
+    }
+
+    private GeneratedFile text(Component controller, Promise promise) {
+        String kept =
+                promise.automata().stream()
+                        .map(Automaton::name)
+                        .filter(name -> !name.isEmpty())
+                        .collect(Collectors.joining(", "));
+        List<String> remarks = new ArrayList<>();
+        remarks.add("Made by arcomat contradictions " + component + ".");
+        if (!kept.isEmpty() && kept.length() < LONGEST_REMARK) {
+            remarks.add("It keeps " + kept + ".");
+        }
+        GeneratedFile file = ControllerText.of(controller, remarks);
+        String formatted =
+                Formatter.format(new SourceFile(file.path(), file.text()))
+                        .text()
+                        .orElse(file.text());
+        return new GeneratedFile(file.path(), formatted);
+    }
+}
