@@ -18,7 +18,7 @@ public final class AgentService {
      */
     public static void serve(InputStream in, OutputStream out, AgentTerms terms, String version)
             throws InterruptedException {
-        try (Workshop workshop = new Workshop(terms.session(), terms.roots(), terms.seconds())) {
+        try (Workshop workshop = new Workshop(terms.session(), terms.roots(), terms.patience())) {
             ToolServer server = new ToolServer(workshop, terms.longest(), version);
             new LineConnection(in, out).serve(server);
         }

@@ -15,6 +15,7 @@ import java.io.InputStreamReader;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -37,7 +38,7 @@ final class AgentClient implements AutoCloseable {
     AgentClient(Path folder, List<String> roots, int seconds, int longest) throws IOException {
         Fence fence = Fence.around(roots.stream().map(folder::resolve).toList(), roots);
         Session session = new Session(new PathNames(folder, fence), Progress.NONE);
-        AgentTerms terms = new AgentTerms(session, roots, seconds, longest);
+        AgentTerms terms = new AgentTerms(session, roots, Duration.ofSeconds(seconds), longest);
         PipedInputStream in = new PipedInputStream(PIPE_BYTES);
         PipedInputStream out = new PipedInputStream(PIPE_BYTES);
         this.toServer = new PipedOutputStream(in);

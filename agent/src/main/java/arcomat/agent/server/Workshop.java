@@ -10,9 +10,11 @@ import arcomat.pipeline.Session;
 import arcomat.pipeline.TimeIsUp;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Printable;
+import arcomat.sim.time.SecondsText;
 
 import com.google.gson.JsonObject;
 
+import java.time.Duration;
 import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -29,15 +31,15 @@ public final class Workshop implements AutoCloseable {
     /** Models nest as deep as their authors like, and what follows them is recursive. */
     private static final long STACK_BYTES = 512L << 20;
 
-    /** Seconds beyond the end in which work is to notice that it is over. */
-    private static final int GRACE = 5;
+    /** Time beyond the end in which work is to notice that it is over. */
+    private static final Duration GRACE = Duration.ofSeconds(5);
 
     /** Threads that nobody can end take a processor each. */
     private static final int MOST_THREADS = 4;
 
     private final Session session;
     private final List<String> roots;
-    private final int seconds;
+    private final Duration patience;
     private final ThreadPoolExecutor executor =
             new ThreadPoolExecutor(
                     1,
@@ -54,12 +56,12 @@ public final class Workshop implements AutoCloseable {
     /**
      * @param session of all calls
      * @param roots the model roots, as the user wrote them
-     * @param seconds that a call may take
+     * @param patience time that a call may take
      */
-    public Workshop(Session session, List<String> roots, int seconds) {
+    public Workshop(Session session, List<String> roots, Duration patience) {
         this.session = session;
         this.roots = roots;
-        this.seconds = seconds;
+        this.patience = patience;
     }
 
     /** What came of a call: an answer, or why there is none. */
@@ -83,7 +85,8 @@ public final class Workshop implements AutoCloseable {
     }
 
     private void watch(CompletableFuture<Outcome> outcome) {
-        CompletableFuture.delayedExecutor((long) seconds + GRACE, TimeUnit.SECONDS)
+        CompletableFuture.delayedExecutor(
+                        patience.plus(GRACE).toNanos(), TimeUnit.NANOSECONDS)
                 .execute(
                         () -> {
                             if (outcome.complete(Outcome.failed(tooLong("and it goes on")))) {
@@ -100,19 +103,19 @@ public final class Workshop implements AutoCloseable {
 
     private String tooLong(String how) {
         return "unknown: the time of "
-                + seconds
+                + SecondsText.of(patience)
                 + " s is up, "
                 + how
                 + ". Ask for less, or start arcomat mcp with a longer --timeout";
     }
 
     private Outcome work(Tool tool, JsonObject arguments, CompletableFuture<Outcome> outcome) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+        long end = System.nanoTime() + patience.toNanos();
         Progress limited = new LimitedProgress(session.progress(), end);
         Session own = session.with(new CallProgress(limited, outcome::isDone));
         try {
             ToolArguments told = ToolArguments.of(arguments, tool.parameters());
-            return new Outcome(tool.answer(new ToolCall(told, own, roots, seconds)), false);
+            return new Outcome(tool.answer(new ToolCall(told, own, roots, patience)), false);
         } catch (WrongUse e) {
             return Outcome.failed(Printable.escape(e.getMessage()));
         } catch (InvalidPathException e) {

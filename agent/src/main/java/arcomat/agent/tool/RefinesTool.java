@@ -7,7 +7,6 @@ import arcomat.pipeline.analysis.ProveRefinement;
 import arcomat.pipeline.analysis.Prover;
 import arcomat.report.verdict.VerdictJson;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 
@@ -58,7 +57,7 @@ final class RefinesTool implements Tool {
                 ComparedSides.of(told.required(LEFT), told.required(RIGHT), told.text(COMPLETION));
         AnalysisLimits limits =
                 new AnalysisLimits(
-                        Optional.of(Duration.ofSeconds(call.seconds())), Optional.empty());
+                        Optional.of(call.patience()), Optional.empty());
         ProveRefinement question =
                 new ProveRefinement(
                         sides,

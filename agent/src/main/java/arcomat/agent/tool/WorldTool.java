@@ -10,7 +10,6 @@ import arcomat.sim.time.OutOfPatience;
 import arcomat.world.Recording;
 import arcomat.world.Seeds;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -61,8 +60,7 @@ final class WorldTool implements Tool {
 
     private static Recording run(PreparedWorld world, long seed, ToolCall call) throws WrongUse {
         try {
-            Duration patience = Duration.ofSeconds(call.seconds());
-            return world.run(Seeds.of(seed), patience, Limits.OF_THE_BRICK);
+            return world.run(Seeds.of(seed), call.patience(), Limits.OF_THE_BRICK);
         } catch (OutOfPatience e) {
             throw new WrongUse("unknown: given up: " + e.getMessage());
         }

@@ -107,7 +107,7 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                         text.text(),
                         world.text(),
                         limits.equals(Limits.OF_THE_BRICK),
-                        patience.toSeconds(),
+                        patience,
                         watching.code().programs(),
                         watching.monitors(),
                         watching.joint(),

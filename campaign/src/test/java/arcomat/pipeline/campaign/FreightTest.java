@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -25,7 +26,7 @@ class FreightTest {
     private static final Program PROGRAM =
             new Program("p.Main", Map.of("p.Main", new byte[] {1, 2}, "p.Other", new byte[0]));
     private static final Freight FREIGHT =
-            new Freight("1.0", "world a\n", "floor 1 2\n# ü", true, 30, Map.of("key /\n", PROGRAM));
+            new Freight("1.0", "world a\n", "floor 1 2\n# ü", true, Duration.ofSeconds(30), Map.of("key /\n", PROGRAM));
 
     @Test
     void whatIsPackedIsUnpacked() throws Exception {
@@ -50,24 +51,24 @@ class FreightTest {
         assertThat(
                         Stream.of(
                                         FREIGHT,
-                                        new Freight("1.1", "world a\n", "", true, 30, Map.of()),
-                                        new Freight("1.0", "world b\n", "", true, 30, Map.of()),
-                                        new Freight("1.0", "world a\n", "x", true, 30, Map.of()),
-                                        new Freight("1.0", "world a\n", "", false, 30, Map.of()),
-                                        new Freight("1.0", "world a\n", "", true, 31, Map.of()),
+                                        new Freight("1.1", "world a\n", "", true, Duration.ofSeconds(30), Map.of()),
+                                        new Freight("1.0", "world b\n", "", true, Duration.ofSeconds(30), Map.of()),
+                                        new Freight("1.0", "world a\n", "x", true, Duration.ofSeconds(30), Map.of()),
+                                        new Freight("1.0", "world a\n", "", false, Duration.ofSeconds(30), Map.of()),
+                                        new Freight("1.0", "world a\n", "", true, Duration.ofSeconds(31), Map.of()),
                                         new Freight(
                                                 "1.0",
                                                 "world a\n",
                                                 "",
                                                 true,
-                                                30,
+                                                Duration.ofSeconds(30),
                                                 Map.of("k", other)),
                                         new Freight(
                                                 "1.0",
                                                 "world a\n",
                                                 "",
                                                 true,
-                                                30,
+                                                Duration.ofSeconds(30),
                                                 Map.of("k", PROGRAM)))
                                 .map(Freight::hash))
                 .doesNotHaveDuplicates();
@@ -87,7 +88,7 @@ class FreightTest {
                 "",
                 "",
                 true,
-                30,
+                Duration.ofSeconds(30),
                 Map.of("key /\n", PROGRAM),
                 Map.of(),
                 JointFreight.NONE,

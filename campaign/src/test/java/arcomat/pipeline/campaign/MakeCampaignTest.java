@@ -126,7 +126,7 @@ class MakeCampaignTest {
     private static PrepareCampaign.Ready ready(String text) {
         Campaign campaign =
                 CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
-        Freight freight = new Freight("1", text, "", true, 300, Map.of());
+        Freight freight = new Freight("1", text, "", true, Duration.ofSeconds(300), Map.of());
         return new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS, List.of(), List.of());
     }
 

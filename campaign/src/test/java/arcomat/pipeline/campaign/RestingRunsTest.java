@@ -147,7 +147,7 @@ class RestingRunsTest {
                                 usual.campaign(),
                                 usual.world(),
                                 usual.limited(),
-                                usual.patienceSeconds(),
+                                usual.patience(),
                                 programs));
         for (long checked : List.of(0L, 1000L, 7000L)) {
             assertThatThrownBy(() -> runner.apply(new Trial(checked, checked, Map.of())))

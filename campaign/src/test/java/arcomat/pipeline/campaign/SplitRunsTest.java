@@ -93,7 +93,7 @@ class SplitRunsTest {
     }
 
     private Optional<RareEvent> split(Engine engine) throws WrongUse {
-        Freight freight = new Freight("1", TEXT, "", true, 300, Map.of());
+        Freight freight = new Freight("1", TEXT, "", true, Duration.ofSeconds(300), Map.of());
         PrepareCampaign.Ready ready =
                 new PrepareCampaign.Ready(
                         CAMPAIGN, "a.world", freight, CoverageItems.NONE, List.of(), List.of());

@@ -2,12 +2,14 @@ package arcomat.cli.command;
 
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.option.LibraryOption;
+import arcomat.cli.option.SecondsReader;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.LastMoment;
 import arcomat.pipeline.LimitedProgress;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.sim.time.SecondsText;
 
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -18,14 +20,12 @@ import java.util.Optional;
 
 /** A command that may search for long, and gives up where it is told to. */
 public abstract class LimitedCommand extends Command {
-    /** In nanoseconds. */
-    private static final double SECOND = 1e9;
-
     @Option(
             names = "--timeout",
             paramLabel = "SECONDS",
+            converter = SecondsReader.class,
             description = "Give up after that time: the answer is then unknown.")
-    private Double timeout;
+    private Duration timeout;
 
     @Option(
             names = "--max-states",
@@ -59,29 +59,16 @@ public abstract class LimitedCommand extends Command {
     }
 
     protected final AnalysisLimits limits() throws WrongUse {
-        Optional<Duration> time = Optional.ofNullable(timeout).map(LimitedCommand::time);
-        if (time.filter(each -> each.isNegative() || each.isZero()).isPresent()) {
-            throw new WrongUse("--timeout " + seconds() + " is no time; give more than 0 seconds");
-        }
         if (maxStates != null && maxStates < 1) {
             throw new WrongUse("--max-states " + maxStates + " is less than 1");
         }
-        return new AnalysisLimits(time, Optional.ofNullable(maxStates), Optional.of(begun));
-    }
-
-    /** To the nanosecond; what is no number is no time. */
-    private static Duration time(double seconds) {
-        return Duration.ofNanos((long) (seconds * SECOND));
-    }
-
-    /** The timeout in seconds, without a fraction where it has none. */
-    private String seconds() {
-        return timeout == timeout.longValue() ? "" + timeout.longValue() : "" + timeout;
+        return new AnalysisLimits(
+                Optional.ofNullable(timeout), Optional.ofNullable(maxStates), Optional.of(begun));
     }
 
     /** The limits in words, for who looks at a page. */
     protected final String limitsInWords() {
-        String time = timeout == null ? "no limit of time" : seconds() + " s";
+        String time = timeout == null ? "no limit of time" : SecondsText.of(timeout) + " s";
         return time
                 + ", "
                 + (maxStates == null ? "as many states as memory holds" : maxStates + " states");

@@ -2,7 +2,6 @@ package arcomat.cli.option;
 
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.WrongUse;
 import arcomat.sim.device.Limits;
 import arcomat.sim.time.OutOfPatience;
 
@@ -19,10 +18,11 @@ public final class BrickRunOptions {
             names = "--timeout",
             paramLabel = "SECONDS",
             defaultValue = "300",
+            converter = SecondsReader.class,
             description =
                     "Give up a run that takes longer, by the PC's clock; default 300. It is then"
                             + " unknown how it ends.")
-    private int seconds;
+    private Duration patience;
 
     /** Those of the bricks that programs meet. */
     public Limits limits() {
@@ -30,11 +30,8 @@ public final class BrickRunOptions {
     }
 
     /** How long bricks may keep the PC busy: a program may compute without an end. */
-    public Duration patience() throws WrongUse {
-        if (seconds < 1) {
-            throw new WrongUse("--timeout " + seconds + " is less than 1");
-        }
-        return Duration.ofSeconds(seconds);
+    public Duration patience() {
+        return patience;
     }
 
     /** Tells of a run that was given up, and returns the exit status that says so. */

@@ -23,7 +23,7 @@ import java.util.Optional;
  * @param paths files and folders
  * @param once whether to look once and end
  * @param polling whether to look at the files again and again, and not to wait to be told
- * @param seconds after which a round gives up on promises
+ * @param patience after which a round gives up on promises
  * @param tool whatever tells this tool from others
  * @param listener is told of everything
  */
@@ -31,7 +31,7 @@ public record WatchModels(
         List<String> paths,
         boolean once,
         boolean polling,
-        int seconds,
+        Duration patience,
         String tool,
         Listener listener)
         implements Task<WatchStatus> {
@@ -51,7 +51,7 @@ public record WatchModels(
         requireThere(roots, session.names());
         WatchedFiles watched = WatchedFiles.of(roots, session.names());
         AnalysisLimits limits =
-                new AnalysisLimits(Optional.of(Duration.ofSeconds(seconds)), Optional.empty());
+                new AnalysisLimits(Optional.of(patience), Optional.empty());
         Blackboard board = new Blackboard(listener);
         Rounds rounds = new Rounds(paths, session, tool, limits, watched, board);
         try {

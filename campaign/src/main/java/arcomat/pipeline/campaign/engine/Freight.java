@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
+import java.time.Duration;
 import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
@@ -26,7 +27,7 @@ import java.util.zip.ZipOutputStream;
  * @param campaign text of the campaign
  * @param world text of the world
  * @param limited whether programs meet the limits of real bricks
- * @param patienceSeconds what a run may take by the PC's clock
+ * @param patience what a run may take by the PC's clock
  * @param programs by what the world's text says of them
  * @param monitors columns of the table by the full names of classes that watch in these programs
  * @param joint what watches several of these programs for one requirement
@@ -37,7 +38,7 @@ public record Freight(
         String campaign,
         String world,
         boolean limited,
-        long patienceSeconds,
+        Duration patience,
         Map<String, Program> programs,
         Map<String, String> monitors,
         JointFreight joint,
@@ -60,14 +61,14 @@ public record Freight(
             String campaign,
             String world,
             boolean limited,
-            long patienceSeconds,
+            Duration patience,
             Map<String, Program> programs) {
         this(
                 version,
                 campaign,
                 world,
                 limited,
-                patienceSeconds,
+                patience,
                 programs,
                 Map.of(),
                 JointFreight.NONE,
@@ -82,7 +83,7 @@ public record Freight(
                         "\n",
                         version,
                         "" + limited,
-                        "" + patienceSeconds,
+                        "" + patience.toNanos(),
                         "" + coverage.transitions());
         entries.put(SETTINGS, settings.getBytes(StandardCharsets.UTF_8));
         entries.put(CAMPAIGN, campaign.getBytes(StandardCharsets.UTF_8));
@@ -142,7 +143,7 @@ public record Freight(
                 text(entries, CAMPAIGN),
                 text(entries, WORLD),
                 Boolean.parseBoolean(settings[1]),
-                Long.parseLong(settings[2]),
+                Duration.ofNanos(Long.parseLong(settings[2])),
                 programs(entries),
                 monitors(entries),
                 JointFreight.of(entries),

@@ -24,7 +24,6 @@ import arcomat.world.WorldParser;
 
 import org.jspecify.annotations.Nullable;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -175,7 +174,7 @@ public final class TrialRunner implements Function<Trial, Row> {
                 Summary summary =
                         world.summarize(
                                 trial.seeds(),
-                                Duration.ofSeconds(freight.patienceSeconds()),
+                                freight.patience(),
                                 freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
                                 watched.apply(sightings));
                 together.end();
@@ -192,7 +191,7 @@ public final class TrialRunner implements Function<Trial, Row> {
                 return Row.made(trial, answers, reached);
             } catch (OutOfPatience e) {
                 isOutOfPatience = true;
-                String why = "after " + freight.patienceSeconds() + " s of the PC's time";
+                String why = "after " + OutOfPatience.limit(freight.patience());
                 return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
             }
         }

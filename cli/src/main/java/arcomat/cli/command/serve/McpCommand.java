@@ -3,6 +3,7 @@ package arcomat.cli.command.serve;
 import arcomat.agent.AgentService;
 import arcomat.agent.AgentTerms;
 import arcomat.cli.command.Command;
+import arcomat.cli.option.SecondsReader;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Fence;
@@ -16,6 +17,7 @@ import picocli.CommandLine.Parameters;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -42,8 +44,9 @@ public final class McpCommand extends Command {
             names = "--timeout",
             paramLabel = "SECONDS",
             defaultValue = "60",
+            converter = SecondsReader.class,
             description = "Give up a call after that time; default 60.")
-    private int timeout;
+    private Duration timeout;
 
     @Option(
             names = "--max-answer",
@@ -62,9 +65,6 @@ public final class McpCommand extends Command {
 
     @Override
     protected int run(Session session) throws WrongUse {
-        if (timeout < 1) {
-            throw new WrongUse("--timeout " + timeout + " is less than 1");
-        }
         if (longest < SHORTEST_ANSWER) {
             throw new WrongUse("--max-answer " + longest + " is less than " + SHORTEST_ANSWER);
         }

@@ -2,6 +2,7 @@ package arcomat.cli.command.watch;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.LibraryOption;
+import arcomat.cli.option.SecondsReader;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.SignalStatus;
 import arcomat.cli.terminal.Version;
@@ -17,6 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.Collection;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -52,8 +54,9 @@ public final class WatchCommand extends Command {
             names = "--timeout",
             paramLabel = "SECONDS",
             defaultValue = "60",
+            converter = SecondsReader.class,
             description = "Give up on promises after that time: they are then unknown; default 60.")
-    private int timeout;
+    private Duration timeout;
 
     @Mixin private LibraryOption library = new LibraryOption();
 
@@ -70,9 +73,6 @@ public final class WatchCommand extends Command {
 
     @Override
     protected int run(Session session) throws WrongUse {
-        if (timeout < 1) {
-            throw new WrongUse("--timeout " + timeout + " is less than 1");
-        }
         boolean screen = console().style().coloured() && !once;
         Listener shown = screen ? new WatchScreen(console()) : new WatchLines(console(), !once);
         WatchModels task =

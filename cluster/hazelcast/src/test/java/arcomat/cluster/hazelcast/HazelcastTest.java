@@ -67,7 +67,7 @@ class HazelcastTest {
                 FREIGHT.campaign(),
                 FREIGHT.world().replace("seconds 9", "seconds " + seconds),
                 FREIGHT.limited(),
-                FREIGHT.patienceSeconds(),
+                FREIGHT.patience(),
                 FREIGHT.programs(),
                 FREIGHT.monitors(),
                 FREIGHT.joint(),

@@ -7,6 +7,11 @@ public final class OutOfPatience extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     OutOfPatience(Duration patience) {
-        super("no end after " + patience.toSeconds() + " s of the PC's time");
+        super("no end after " + limit(patience));
+    }
+
+    /** A limit in words: {@code 0.5 s of the PC's time}. */
+    public static String limit(Duration patience) {
+        return SecondsText.of(patience) + " s of the PC's time";
     }
 }
