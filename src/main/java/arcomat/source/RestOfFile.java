@@ -4,7 +4,10 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 
-/** That a file has more errors than are told, so that no sum of them is mistaken for all. */
+/**
+ * That a file may have more errors than are told, so that no sum of them is mistaken for all: it
+ * has too many, or one that keeps the file from being parsed.
+ */
 public final class RestOfFile {
     private static final String CODE = "ARC0008";
 
@@ -25,6 +28,19 @@ public final class RestOfFile {
                         "There are more errors from here on. %d are shown; the syntax of the rest"
                                 + " of this file was not looked at. Mend them and check again.",
                         told));
+    }
+
+    /**
+     * That a file is not parsed.
+     *
+     * @param obstacle the last error that keeps it from being parsed
+     */
+    public static Diagnostic unread(Span obstacle) {
+        return Diagnostic.warning(
+                CODE,
+                obstacle,
+                "The syntax of the rest of this file was not looked at. Mend this and check"
+                    + " again.");
     }
 
     /** The files that some finding says this of, in the order of the findings. */

@@ -2,6 +2,7 @@ package arcomat.syntax;
 
 import arcomat.source.ComposedForm;
 import arcomat.source.Diagnostic;
+import arcomat.source.RestOfFile;
 import arcomat.source.Signs;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
@@ -43,7 +44,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
             invariants |= InvariantEnd.begins(token);
             if (guard.isTooDeep(token)) {
                 findings.add(tooDeep(file, token, guard.limit()));
-                return findings;
+                break;
             }
             if (token.getType() == ArcomatLexer.UNCLOSED_STRING) {
                 findings.add(unclosedString(file, token));
@@ -60,6 +61,9 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
             findings.add(Language.of(file).nothingDefined(file, 0));
         } else if (invariants && findings.isEmpty()) {
             findings.addAll(InvariantEnd.missing(file, tokens));
+        }
+        if (!empty && !findings.isEmpty()) {
+            findings.add(RestOfFile.unread(findings.get(findings.size() - 1).span()));
         }
         return findings;
     }

@@ -9,6 +9,8 @@ import arcomat.source.SourceFile;
 import arcomat.syntax.Parser;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.Optional;
@@ -76,5 +78,28 @@ class RestOfFileTest {
                 .contains(
                         "\"toolExecutionNotifications\"",
                         "the syntax of the rest of A.arc was not looked at");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "component A { port in in String s; /* open",
+                "component A { port in in String s; port in String t = \"open\n; }",
+                "component A { port in in String s; port in String \u202et; }",
+                "component A { port in in String s; port in String t\u0300\u0301x; }"
+            })
+    void whatIsNotParsedIsNamed(String text) {
+        List<Diagnostic> findings = Parser.parse(new SourceFile("A.arc", text)).findings();
+        assertThat(findings).hasSize(2);
+        assertThat(findings.get(0).isError()).isTrue();
+        assertThat(findings.get(1).code()).isEqualTo("ARC0008");
+        assertThat(FindingsText.summary(findings, 1, Style.PLAIN))
+                .isEqualTo("1 error, 1 warning in 1 file; the rest of A.arc was not looked at");
+    }
+
+    @Test
+    void ofAnEmptyFileNothingIsLeft() {
+        List<Diagnostic> findings = Parser.parse(new SourceFile("A.arc", "// nothing")).findings();
+        assertThat(findings).hasSize(1);
     }
 }

@@ -3,6 +3,7 @@ package arcomat.laws.draw;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -21,7 +22,13 @@ public final class ExpressionText {
     private static final List<String> WHOLE = List.of("Integer", "small", "byte", "short", "char");
     private static final List<String> NUMBERS =
             Stream.concat(WHOLE.stream(), Stream.of("Long", "float", "Double")).toList();
-    private static final List<String> OTHERS = List.of("Boolean", "String", "t.Types.E");
+    private static final String ENUM = "t.Types.E";
+    private static final String OBJECT = "t.Things.Reading";
+    private static final List<String> OTHERS = List.of("Boolean", "String", ENUM, OBJECT);
+
+    /** What an object has, by type. */
+    private static final Map<String, String> ATTRIBUTES =
+            Map.of("Integer", "value", "Boolean", "valid", "Double", "heat", "String", "by");
 
     /** What texts write as values, beside those that ports are drawn with. */
     private static final Map<String, List<String>> CONSTANTS =
@@ -36,15 +43,26 @@ public final class ExpressionText {
 
     private final Draw draw;
     private final Set<String> ports = new LinkedHashSet<>();
-    private final List<String> given = new ArrayList<>();
+
+    /** The names that quantifiers around a place bind, with their types. */
+    private final Map<String, String> given = new LinkedHashMap<>();
 
     private ExpressionText(Draw draw) {
         this.draw = draw;
     }
 
-    /** A component with an expression, in {@code a/Main.arc}. */
-    public static SourceFile component(Draw draw) {
-        return new ExpressionText(draw).component();
+    /** The types that the component knows, and the component with an expression. */
+    public static List<SourceFile> models(Draw draw) {
+        SourceFile things =
+                new SourceFile(
+                        "t/Things.cd",
+                        """
+                        package t;
+                        classdiagram Things {
+                            class Reading { Integer value; Boolean valid; Double heat; String by; }
+                        }
+                        """);
+        return List.of(ComponentText.types(), things, new ExpressionText(draw).component());
     }
 
     private SourceFile component() {
@@ -100,10 +118,25 @@ public final class ExpressionText {
     }
 
     private String leaf(String type) {
-        if (type.equals("Integer") && !given.isEmpty() && draw.chance(40)) {
-            return draw.one(given);
+        List<String> bound =
+                given.keySet().stream().filter(name -> type.equals(given.get(name))).toList();
+        if (!bound.isEmpty() && draw.chance(40)) {
+            return draw.one(bound);
+        }
+        if (ATTRIBUTES.containsKey(type) && draw.chance(10)) {
+            return object() + "." + ATTRIBUTES.get(type);
+        }
+        if (type.equals(OBJECT)) {
+            return object();
         }
         return draw.chance(30) ? constant(type) : read(type, draw.below(3)).orElse(constant(type));
+    }
+
+    /** Models make no objects: there is always a port to take one from. */
+    private String object() {
+        String port = port(OBJECT, draw.below(3));
+        ports.add(port);
+        return port;
     }
 
     /** That port, or another one of its type where there are enough. */
@@ -211,13 +244,25 @@ public final class ExpressionText {
 
     private String quantified(int depth) {
         String name = "v" + given.size();
+        String type = draw.one("Integer", "Integer", ENUM, "Boolean", "Double");
+        boolean let = draw.chance(40) || type.equals("Double");
         String head =
-                draw.chance(40)
-                        ? "let %s = %s in ".formatted(name, value("Integer", depth))
-                        : "%s %s in {0..2}: ".formatted(draw.one("forall", "exists"), name);
-        given.add(name);
+                let
+                        ? "let %s = %s in ".formatted(name, value(type, depth))
+                        : "%s %s in %s: "
+                                .formatted(draw.one("forall", "exists"), name, domain(type));
+        given.put(name, type);
         String text = "(" + head + truth(depth) + ")";
         given.remove(name);
         return text;
+    }
+
+    private String domain(String type) {
+        return switch (type) {
+            case "Integer" ->
+                    draw.one("{0..2}", "{-1, 3}", "{0, 2..3, 2147483647}", "Integer[0..2]");
+            case "Boolean" -> draw.one("Boolean", "{true}");
+            default -> draw.one(ENUM, "{%1$s.k, %1$s.m}".formatted(ENUM));
+        };
     }
 }

@@ -3,7 +3,6 @@ package arcomat.laws;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.search.Budget;
-import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.ExpressionText;
 import arcomat.model.Component;
@@ -33,7 +32,7 @@ final class ExpressionsAreTaken implements Law {
 
     @Override
     public List<SourceFile> draw(Draw draw) {
-        return List.of(ComponentText.types(), ExpressionText.component(draw));
+        return ExpressionText.models(draw);
     }
 
     @Override

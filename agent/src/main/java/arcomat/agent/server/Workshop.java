@@ -14,8 +14,8 @@ import arcomat.sim.time.SecondsText;
 
 import com.google.gson.JsonObject;
 
-import java.time.Duration;
 import java.nio.file.InvalidPathException;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -85,8 +85,7 @@ public final class Workshop implements AutoCloseable {
     }
 
     private void watch(CompletableFuture<Outcome> outcome) {
-        CompletableFuture.delayedExecutor(
-                        patience.plus(GRACE).toNanos(), TimeUnit.NANOSECONDS)
+        CompletableFuture.delayedExecutor(patience.plus(GRACE).toNanos(), TimeUnit.NANOSECONDS)
                 .execute(
                         () -> {
                             if (outcome.complete(Outcome.failed(tooLong("and it goes on")))) {

@@ -55,9 +55,7 @@ final class RefinesTool implements Tool {
         ToolArguments told = call.arguments();
         ComparedSides sides =
                 ComparedSides.of(told.required(LEFT), told.required(RIGHT), told.text(COMPLETION));
-        AnalysisLimits limits =
-                new AnalysisLimits(
-                        Optional.of(call.patience()), Optional.empty());
+        AnalysisLimits limits = new AnalysisLimits(Optional.of(call.patience()), Optional.empty());
         ProveRefinement question =
                 new ProveRefinement(
                         sides,

@@ -13,7 +13,8 @@ import java.util.List;
  * @param roots the model roots, as the user wrote them
  * @param patience time that the call may take
  */
-public record ToolCall(ToolArguments arguments, Session session, List<String> roots, Duration patience) {
+public record ToolCall(
+        ToolArguments arguments, Session session, List<String> roots, Duration patience) {
     /** The files and folders that the call is about: all models, unless it names some. */
     List<String> paths() throws WrongUse {
         List<String> named = arguments.texts(ToolParameter.PATHS);

@@ -16,8 +16,8 @@ import com.google.gson.JsonObject;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-import java.time.Duration;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -29,7 +29,8 @@ class WorkshopTest {
     private static final long PATIENCE = 120;
 
     private final Session session = new Session(new PathNames(Path.of("")), Progress.NONE);
-    private final Workshop workshop = new Workshop(session, List.of("models"), Duration.ofSeconds(1));
+    private final Workshop workshop =
+            new Workshop(session, List.of("models"), Duration.ofSeconds(1));
 
     @AfterEach
     void close() {

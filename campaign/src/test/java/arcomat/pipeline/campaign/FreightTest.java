@@ -26,7 +26,13 @@ class FreightTest {
     private static final Program PROGRAM =
             new Program("p.Main", Map.of("p.Main", new byte[] {1, 2}, "p.Other", new byte[0]));
     private static final Freight FREIGHT =
-            new Freight("1.0", "world a\n", "floor 1 2\n# ü", true, Duration.ofSeconds(30), Map.of("key /\n", PROGRAM));
+            new Freight(
+                    "1.0",
+                    "world a\n",
+                    "floor 1 2\n# ü",
+                    true,
+                    Duration.ofSeconds(30),
+                    Map.of("key /\n", PROGRAM));
 
     @Test
     void whatIsPackedIsUnpacked() throws Exception {
@@ -51,11 +57,41 @@ class FreightTest {
         assertThat(
                         Stream.of(
                                         FREIGHT,
-                                        new Freight("1.1", "world a\n", "", true, Duration.ofSeconds(30), Map.of()),
-                                        new Freight("1.0", "world b\n", "", true, Duration.ofSeconds(30), Map.of()),
-                                        new Freight("1.0", "world a\n", "x", true, Duration.ofSeconds(30), Map.of()),
-                                        new Freight("1.0", "world a\n", "", false, Duration.ofSeconds(30), Map.of()),
-                                        new Freight("1.0", "world a\n", "", true, Duration.ofSeconds(31), Map.of()),
+                                        new Freight(
+                                                "1.1",
+                                                "world a\n",
+                                                "",
+                                                true,
+                                                Duration.ofSeconds(30),
+                                                Map.of()),
+                                        new Freight(
+                                                "1.0",
+                                                "world b\n",
+                                                "",
+                                                true,
+                                                Duration.ofSeconds(30),
+                                                Map.of()),
+                                        new Freight(
+                                                "1.0",
+                                                "world a\n",
+                                                "x",
+                                                true,
+                                                Duration.ofSeconds(30),
+                                                Map.of()),
+                                        new Freight(
+                                                "1.0",
+                                                "world a\n",
+                                                "",
+                                                false,
+                                                Duration.ofSeconds(30),
+                                                Map.of()),
+                                        new Freight(
+                                                "1.0",
+                                                "world a\n",
+                                                "",
+                                                true,
+                                                Duration.ofSeconds(31),
+                                                Map.of()),
                                         new Freight(
                                                 "1.0",
                                                 "world a\n",

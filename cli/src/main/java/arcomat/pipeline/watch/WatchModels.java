@@ -50,8 +50,7 @@ public record WatchModels(
         roots.addAll(session.libraries());
         requireThere(roots, session.names());
         WatchedFiles watched = WatchedFiles.of(roots, session.names());
-        AnalysisLimits limits =
-                new AnalysisLimits(Optional.of(patience), Optional.empty());
+        AnalysisLimits limits = new AnalysisLimits(Optional.of(patience), Optional.empty());
         Blackboard board = new Blackboard(listener);
         Rounds rounds = new Rounds(paths, session, tool, limits, watched, board);
         try {

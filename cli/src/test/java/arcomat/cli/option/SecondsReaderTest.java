@@ -30,8 +30,19 @@ class SecondsReaderTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "0", "-1", "-0.5", "1e-10", "NaN", "Infinity", "1e999999999", "1e-999999999", "",
-                "soon", "1 s", "0x1p3", "1,5"
+                "0",
+                "-1",
+                "-0.5",
+                "1e-10",
+                "NaN",
+                "Infinity",
+                "1e999999999",
+                "1e-999999999",
+                "",
+                "soon",
+                "1 s",
+                "0x1p3",
+                "1,5"
             })
     void whatIsNoTimeIsRefused(String written) {
         assertThatThrownBy(() -> reader.convert(written))

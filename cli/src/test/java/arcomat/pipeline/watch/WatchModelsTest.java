@@ -18,10 +18,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -122,7 +122,9 @@ class WatchModelsTest {
                         settled.add(now);
                     }
                 };
-        WatchModels task = new WatchModels(List.of("m"), false, polling, Duration.ofSeconds(60), "test", listener);
+        WatchModels task =
+                new WatchModels(
+                        List.of("m"), false, polling, Duration.ofSeconds(60), "test", listener);
         watching =
                 new Thread(
                         () -> {
@@ -271,7 +273,14 @@ class WatchModelsTest {
                 };
         WatchStatus now =
                 Session.in(folder, Progress.NONE)
-                        .run(new WatchModels(List.of("m"), true, false, Duration.ofSeconds(60), "test", nobody));
+                        .run(
+                                new WatchModels(
+                                        List.of("m"),
+                                        true,
+                                        false,
+                                        Duration.ofSeconds(60),
+                                        "test",
+                                        nobody));
         assertThat(now.standing()).isEqualTo(Standing.BROKEN);
         assertThat(now.tests()).hasSize(1);
     }
