@@ -29,7 +29,9 @@ public final class SilenceStaysInBranch implements Check.OnActions {
 
     @Override
     public void check(ActionSymbol actions, Context context, Findings findings) {
-        if (context.side().equals(Optional.of(Side.OUTPUT)) && isComputed(context)) {
+        if (context.side().equals(Optional.of(Side.OUTPUT))
+                && isComputed(context)
+                && areSound(actions)) {
             StatementReads reads = StatementReads.of(actions);
             Map<Read, List<PortSymbol>> silencing = silencing(reads);
             silencing.forEach(
@@ -42,6 +44,16 @@ public final class SilenceStaysInBranch implements Check.OnActions {
         return automaton.flatMap(AutomatonSymbol::component).map(ComponentSymbol::node).stream()
                 .flatMap(node -> node.elements(Behaviour.Computation.class).stream())
                 .anyMatch(each -> each.automaton() == automaton.get().node());
+    }
+
+    /** Whether no other law tells of what is read here, so that nothing follows from that. */
+    private static boolean areSound(ActionSymbol actions) {
+        return actions.choices().stream()
+                        .map(ActionSymbol.Choose::condition)
+                        .allMatch(each -> each.problems().isEmpty() && each.type().isBoolean())
+                && actions.items().stream()
+                        .flatMap(each -> each.value().expressions().stream())
+                        .allMatch(each -> each.problems().isEmpty());
     }
 
     /** The reads that keep something else from being done, each with the ports that do. */
