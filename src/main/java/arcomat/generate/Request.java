@@ -53,9 +53,13 @@ public record Request(
 
     /** Components with all their parts, and a program for each that is to be deployed. */
     public static Request all(List<Component> components, Choosing choosing) {
-        List<Component> programs =
-                components.stream().filter(c -> c.deploy() && c.parameters().isEmpty()).toList();
-        return new Request(components, programs, choosing, Map.of(), List.of(), false);
+        return all(Deployment.of(components), choosing);
+    }
+
+    /** The same, where somebody wants to know what is not deployed, too. */
+    public static Request all(Deployment deployed, Choosing choosing) {
+        return new Request(
+                deployed.components(), deployed.programs(), choosing, Map.of(), List.of(), false);
     }
 
     /** One component with its parts and a program for it. */

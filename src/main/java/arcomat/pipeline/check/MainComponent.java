@@ -12,8 +12,10 @@ import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
@@ -41,6 +43,38 @@ public record MainComponent(Component component, List<Value> arguments) {
         }
         Component component = component(named.get().name(), models);
         return new MainComponent(component, arguments(component, named.get().arguments()));
+    }
+
+    /**
+     * As above; of a component that needs arguments, where none are written, one for each of its
+     * instances.
+     *
+     * @param instances the arguments that parts of the models give to a component
+     */
+    public static List<MainComponent> find(
+            String written,
+            LoweredModels models,
+            Function<Component, Collection<List<Value>>> instances)
+            throws WrongUse {
+        Optional<Component> open = withoutArguments(written, models);
+        List<MainComponent> given =
+                open.stream()
+                        .flatMap(component -> instances.apply(component).stream())
+                        .map(arguments -> new MainComponent(open.get(), arguments))
+                        .toList();
+        return given.isEmpty() ? List.of(find(written, models)) : given;
+    }
+
+    /** The component that is named, where it needs arguments and none are written. */
+    private static Optional<Component> withoutArguments(String written, LoweredModels models)
+            throws WrongUse {
+        Optional<WrittenComponent> named =
+                WrittenComponent.parse(written, models.checked().workspace())
+                        .filter(each -> each.arguments().isEmpty());
+        return named.isEmpty()
+                ? Optional.empty()
+                : Optional.of(component(named.get().name(), models))
+                        .filter(each -> !each.hasDefaults());
     }
 
     /** What a name as for {@link #find} may mean before the models have a meaning. */

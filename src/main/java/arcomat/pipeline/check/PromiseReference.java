@@ -1,11 +1,15 @@
 package arcomat.pipeline.check;
 
 import arcomat.model.Component;
+import arcomat.model.Value;
 import arcomat.pipeline.WrongUse;
 import arcomat.semantics.Promise;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
@@ -31,7 +35,26 @@ public record PromiseReference(String component, Optional<String> automaton) {
      * @throws WrongUse where there is no such component or automaton
      */
     public Promise in(LoweredModels models) throws WrongUse {
-        MainComponent main = MainComponent.find(component, models);
+        return of(MainComponent.find(component, models));
+    }
+
+    /**
+     * As above; of a component that needs arguments, where none are written, what it does with each
+     * list of arguments that is known.
+     *
+     * @param known arguments of a component
+     */
+    public List<Promise> in(
+            LoweredModels models, Function<Component, Collection<List<Value>>> known)
+            throws WrongUse {
+        List<Promise> promises = new ArrayList<>();
+        for (MainComponent each : MainComponent.find(component, models, known)) {
+            promises.add(of(each));
+        }
+        return promises;
+    }
+
+    private Promise of(MainComponent main) throws WrongUse {
         Promise promise = Promise.of(main.component(), main.arguments());
         if (automaton.isEmpty()) {
             return promise;

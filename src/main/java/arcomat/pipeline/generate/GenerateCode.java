@@ -1,5 +1,6 @@
 package arcomat.pipeline.generate;
 
+import arcomat.generate.Deployment;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
@@ -20,6 +21,7 @@ import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.OversizedCode;
 import arcomat.pipeline.file.OutputFolder;
 import arcomat.source.Diagnostic;
+import arcomat.source.Severity;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 
@@ -143,11 +145,15 @@ public record GenerateCode(
         PathNames names = session.names();
         Implementations implementations =
                 Implementations.find(target, checked.loaded().roots(names), names);
-        Request code = wanted(models).with(implementations.texts());
+        Deployment deployed = Deployment.of(models.own());
+        Request code = wanted(models, deployed).with(implementations.texts());
         List<SelfWatch> watches = WatchedParts.of(monitors, code.programs(), models);
         Generation generation = Generator.generate(code.watching(watches), target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
+        if (main.isEmpty()) {
+            findings.addAll(notDeployed(deployed, target));
+        }
         if (!target.isForBrick()) {
             session.progress().step("looking at the size of code");
             findings.addAll(OversizedCode.in(generation));
@@ -210,9 +216,15 @@ public record GenerateCode(
         return randomChoice ? Choosing.RANDOM : Choosing.FIRST;
     }
 
-    private Request wanted(LoweredModels models) throws WrongUse {
+    /** Who generates for the brick wants the programs; elsewhere there is more than these. */
+    private static List<Diagnostic> notDeployed(Deployment deployed, Target target) {
+        Severity severity = target.isForBrick() ? Severity.ERROR : Severity.WARNING;
+        return deployed.findings().stream().map(each -> each.withSeverity(severity)).toList();
+    }
+
+    private Request wanted(LoweredModels models, Deployment deployed) throws WrongUse {
         if (main.isEmpty()) {
-            return Request.all(models.own(), choosing());
+            return Request.all(deployed, choosing());
         }
         return Request.program(MainComponent.find(main.get(), models).closed(), choosing());
     }

@@ -144,9 +144,7 @@ final class Instances {
         collectTypeNames(owner.node(), used);
         for (ComponentSymbol inner : owner.innerComponents()) {
             boolean ready =
-                    inner.node().instance().isEmpty()
-                            && !inner.signature().isGeneric()
-                            && inner.parameters().isEmpty();
+                    inner.node().instance().isEmpty() && inner.signature().needsNoArguments();
             if (ready && !used.contains(inner.name())) {
                 Name name = new Name(inner.nameSpan(), Names.implicit(inner.name()));
                 instances.add(ofInner(owner, inner, name, Origin.AUTOMATIC, List.of()));

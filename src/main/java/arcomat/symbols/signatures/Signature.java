@@ -281,6 +281,12 @@ public final class Signature {
         return inheritance.get().parameters();
     }
 
+    /** Whether a part can be made of it by its name alone: every parameter has a default. */
+    public boolean needsNoArguments() {
+        return !isGeneric()
+                && parameters().stream().allMatch(each -> each.node().initial().isPresent());
+    }
+
     public List<VariableSymbol> ownVariables() {
         return ownVariables.get();
     }

@@ -1,6 +1,7 @@
 package arcomat.check.behaviour.action;
 
 import static arcomat.check.law.Law.error;
+import static arcomat.check.law.Law.warning;
 
 import arcomat.check.law.Law;
 
@@ -14,7 +15,8 @@ public final class ActionLaws {
                     error("ARC0341", new ConditionIsBoolean()),
                     error("ARC0342", new LocalNameFree()),
                     error("ARC0343", new LocalWithoutRange()),
-                    error("ARC0344", new NoChoiceAtTheStart()));
+                    error("ARC0344", new NoChoiceAtTheStart()),
+                    warning("ARC0355", new SilenceStaysInBranch()));
 
     private ActionLaws() {}
 }

@@ -149,13 +149,30 @@ public record Mutants(Component component, Automaton automaton) {
 
     private void asksOf(Port port, Transition t, List<Change> changes) {
         List<Pattern> patterns =
-                port.total() ? List.of() : List.of(new Automaton.Present(), new Automaton.Absent());
+                port.total()
+                        ? asked(port.type())
+                        : List.of(new Automaton.Present(), new Automaton.Absent());
         for (Pattern pattern : patterns) {
             List<Match> asked = new ArrayList<>(t.matches());
             asked.add(new Match(port, pattern));
             String what = "also asks " + asks(port, pattern);
             changes.add(new Change(what, with(t, t.guard(), asked, t.sends())));
         }
+    }
+
+    /**
+     * Single messages of a port that always carries one. Of a type with many it is the first, which
+     * is what tests have where nothing asks for another one.
+     */
+    private List<Pattern> asked(Type type) {
+        boolean isOpen = type instanceof Type.ClassType;
+        List<Value> many = isOpen ? List.of() : List.of(type.first());
+        List<Value> few = some(type);
+        return (few.isEmpty() ? many : few)
+                .stream()
+                        .map(value -> new Expression.Constant(value, type, component.span()))
+                        .<Pattern>map(value -> new Automaton.OneOf(List.of(value)))
+                        .toList();
     }
 
     /** As models write it, on one line. */

@@ -12,6 +12,8 @@ import arcomat.source.Span;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
 
 /**
  * What has to be shown of a model: every component keeps the promises of those that it refines, and
@@ -27,11 +29,13 @@ public final class Obligations {
     public record Obligation(Promise left, Promise right, Span place) {}
 
     private final Model model;
+    private final Function<Component, Set<List<Value>>> instances;
     private final List<Obligation> found = new ArrayList<>();
     private final List<String> open = new ArrayList<>();
 
-    private Obligations(Model model) {
+    private Obligations(Model model, Function<Component, Set<List<Value>>> instances) {
         this.model = model;
+        this.instances = instances;
     }
 
     /**
@@ -47,8 +51,16 @@ public final class Obligations {
         }
     }
 
-    public static All of(Model model, List<Component> components) {
-        Obligations all = new Obligations(model);
+    /**
+     * What has to be shown of some components of a model.
+     *
+     * @param instances the arguments that parts of the model give to a component, each list once
+     */
+    public static All of(
+            Model model,
+            List<Component> components,
+            Function<Component, Set<List<Value>>> instances) {
+        Obligations all = new Obligations(model, instances);
         components.forEach(all::add);
         return new All(all.found, all.open);
     }
@@ -57,16 +69,20 @@ public final class Obligations {
         if (component.refines().isEmpty() && component.requirements().isEmpty()) {
             return;
         }
-        Optional<List<Value>> arguments = defaults(component);
+        Set<List<Value>> arguments =
+                defaults(component).map(Set::of).orElseGet(() -> instances.apply(component));
         if (arguments.isEmpty()) {
             open.add(component.qualifiedName());
-            return;
         }
-        Promise own = Promise.of(component, arguments.get());
+        arguments.forEach(each -> add(component, each));
+    }
+
+    private void add(Component component, List<Value> arguments) {
+        Promise own = Promise.of(component, arguments);
         for (String refined : component.refines()) {
             addRefined(own, model.component(refined).orElseThrow());
         }
-        Promise required = Promise.required(component, arguments.get());
+        Promise required = Promise.required(component, arguments);
         for (Promise each :
                 component.requirements().isEmpty() ? List.<Promise>of() : required.each()) {
             found.add(new Obligation(own, each, each.automata().get(0).span()));

@@ -43,9 +43,4 @@ record ComparedConfigurations(List<ComparedSides> pairs, List<String> alone) {
     private static String written(ChosenComponent component, PromiseReference as) {
         return component.written() + as.automaton().map(name -> "#" + name).orElse("");
     }
-
-    /** Whether one question is asked, and not one for each configuration. */
-    boolean isOne() {
-        return pairs.size() + alone.size() == 1 && alone.isEmpty();
-    }
 }

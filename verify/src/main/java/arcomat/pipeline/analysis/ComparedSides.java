@@ -1,6 +1,9 @@
 package arcomat.pipeline.analysis;
 
 import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
+import arcomat.model.Parameter;
+import arcomat.model.Type;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
@@ -8,6 +11,7 @@ import arcomat.pipeline.check.PromiseReference;
 import arcomat.semantics.Promise;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -82,6 +86,38 @@ public record ComparedSides(
 
     Promise right(LoweredModels models) throws WrongUse {
         return promise(right, rightCompletion, models);
+    }
+
+    /**
+     * The left side; where it needs arguments and none are written, with those of each of its
+     * instances.
+     */
+    List<Promise> lefts(LoweredModels models) throws WrongUse {
+        return PromiseReference.parse(left)
+                .in(models, component -> InstanceArguments.in(models.model()).of(component))
+                .stream()
+                .map(each -> leftCompletion.map(each::with).orElse(each))
+                .toList();
+    }
+
+    /**
+     * The right side; where it needs arguments, none are written, and the left side has as many of
+     * the same types, with these.
+     */
+    Promise right(LoweredModels models, Promise of) throws WrongUse {
+        List<Promise> promises =
+                PromiseReference.parse(right)
+                        .in(
+                                models,
+                                component ->
+                                        types(component).equals(types(of.component()))
+                                                ? List.of(of.arguments())
+                                                : List.of());
+        return rightCompletion.map(promises.get(0)::with).orElse(promises.get(0));
+    }
+
+    private static List<Type> types(Component component) {
+        return component.parameters().stream().map(Parameter::type).toList();
     }
 
     private static Promise promise(

@@ -5,6 +5,7 @@ import arcomat.model.Model;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.expression.Arguments;
+import arcomat.semantics.expression.Scope;
 import arcomat.semantics.network.Network;
 
 import java.util.LinkedHashMap;
@@ -42,15 +43,38 @@ public final class InstanceArguments {
 
     private void collect(Component whole) {
         try {
-            Network network = Network.of(whole, Arguments.complete(whole, List.of()));
-            for (Network.Instance instance : network.instances()) {
-                instances
-                        .computeIfAbsent(
-                                instance.component().qualifiedName(), name -> new LinkedHashSet<>())
-                        .add(instance.arguments());
+            List<Value> arguments = Arguments.complete(whole, List.of());
+            for (Network.Instance instance : Network.of(whole, arguments).instances()) {
+                add(instance.component(), instance.arguments());
             }
+            collectDecomposed(whole, arguments);
         } catch (ModelError argumentsGoWrong) {
             // Said when the whole is run; its parts are examined without it.
         }
+    }
+
+    /** Parts that have parts themselves, which a network knows nothing of. */
+    private void collectDecomposed(Component whole, List<Value> arguments) {
+        Scope scope = new Scope(whole, arguments);
+        for (Component.Part part : parts(whole)) {
+            Component component = part.component();
+            if (component.isComposite()) {
+                List<Value> values = part.arguments().stream().map(scope::constant).toList();
+                if (add(component, values)) {
+                    collectDecomposed(component, values);
+                }
+            }
+        }
+    }
+
+    private static List<Component.Part> parts(Component whole) {
+        return whole.body() instanceof Component.Composite body ? body.parts() : List.of();
+    }
+
+    /** Whether nothing has been known of these arguments. */
+    private boolean add(Component component, List<Value> arguments) {
+        return instances
+                .computeIfAbsent(component.qualifiedName(), name -> new LinkedHashSet<>())
+                .add(arguments);
     }
 }

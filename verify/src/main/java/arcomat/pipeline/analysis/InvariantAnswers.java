@@ -40,8 +40,12 @@ final class InvariantAnswers {
         this.progress = progress;
     }
 
-    List<Answered> all() {
-        InstanceArguments instances = InstanceArguments.in(models.model());
+    /**
+     * Of all invariants of the components that are asked about.
+     *
+     * @param instances the arguments that parts give
+     */
+    List<Answered> all(InstanceArguments instances) {
         for (Component component : models.named()) {
             if (!component.invariants().isEmpty()) {
                 prove(component, instances.orDefaultsOf(component));

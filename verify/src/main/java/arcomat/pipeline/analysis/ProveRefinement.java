@@ -43,29 +43,37 @@ public record ProveRefinement(
     public List<Answered> answer(LoweredModels models, Session session) throws WrongUse {
         DiagramFile.requireKnown(diagram);
         ComparedConfigurations compared = ComparedConfigurations.of(sides, models);
-        if (compared.isOne()) {
-            ComparedSides only = compared.pairs().get(0);
-            return List.of(answer(only, prover, limits.budget(), models, session));
+        List<List<Promise>> pairs = new ArrayList<>();
+        for (ComparedSides pair : compared.pairs()) {
+            for (Promise left : pair.lefts(models)) {
+                pairs.add(List.of(left, pair.right(models, left)));
+            }
+        }
+        if (pairs.size() == 1 && compared.alone().isEmpty()) {
+            return List.of(answer(pairs.get(0), prover, limits.budget(), models, session));
         }
         if (!prover.asksMany() || diagram.isPresent()) {
             throw new WrongUse(
-                    "'%s' and '%s' are several configurations, and this is about one; choose all"
-                            + " features",
-                    sides.left(), sides.right());
+                    "'%s' and '%s' are several questions, such as whether '%s' refines '%s', and"
+                            + " this is about one; choose all features and arguments",
+                    sides.left(),
+                    sides.right(),
+                    pairs.isEmpty() ? sides.left() : pairs.get(0).get(0).title(),
+                    pairs.isEmpty() ? sides.right() : pairs.get(0).get(1).title());
         }
-        return each(compared, models, session);
+        return each(pairs, compared.alone(), models, session);
     }
 
-    /** One question for each pair of configurations, within limits that are those of all. */
+    /** One question for each pair, within limits that are those of all. */
     private List<Answered> each(
-            ComparedConfigurations compared, LoweredModels models, Session session)
+            List<List<Promise>> pairs, List<String> alone, LoweredModels models, Session session)
             throws WrongUse {
         Budget budget = limits.budget();
         List<Answered> answers = new ArrayList<>();
-        for (ComparedSides pair : compared.pairs()) {
+        for (List<Promise> pair : pairs) {
             answers.add(answer(pair, new Prover.Within(budget), budget, models, session));
         }
-        for (String each : compared.alone()) {
+        for (String each : alone) {
             Promise left = sides.of(each, sides.right()).left(models);
             String reason =
                     "no configuration of '%s' chooses the features that both have in this way"
@@ -78,14 +86,14 @@ public record ProveRefinement(
     }
 
     private Answered answer(
-            ComparedSides asked,
+            List<Promise> compared,
             Prover decider,
             Budget budget,
             LoweredModels models,
             Session session)
             throws WrongUse {
-        Promise left = asked.left(models);
-        Promise right = asked.right(models);
+        Promise left = compared.get(0);
+        Promise right = compared.get(1);
         if (map.isPresent()) {
             InterfaceMap through = new MapReference(map.get()).in(models);
             session.progress().step("comparing");
@@ -96,7 +104,7 @@ public record ProveRefinement(
         session.progress().step("comparing");
         Verdict decided = decider.about(models).decide(left, right, limits, session.names());
         Verdict verdict = new NoRun(budget).noted(left, decided);
-        return answered(left, right.title(), verdict, List.of(left, right), session);
+        return answered(left, right.title(), verdict, compared, session);
     }
 
     private Answered answered(

@@ -83,7 +83,8 @@ public record VerifyPromises(
 
     private static List<Answered> answers(
             LoweredModels models, PromiseProver prover, Budget budget, Progress progress) {
-        Obligations.All all = Obligations.of(models.model(), models.named());
+        InstanceArguments instances = InstanceArguments.in(models.model());
+        Obligations.All all = Obligations.of(models.model(), models.named(), instances::of);
         NoRun noRun = new NoRun(budget);
         List<Answered> answers = new ArrayList<>();
         for (Obligation obligation : all.obligations()) {
@@ -101,14 +102,19 @@ public record VerifyPromises(
                                 answers.add(
                                         takesArguments(
                                                 models.model().component(name).orElseThrow())));
-        answers.addAll(new InvariantAnswers(models, prover, noRun, budget, progress).all());
+        answers.addAll(
+                new InvariantAnswers(models, prover, noRun, budget, progress).all(instances));
         return answers;
     }
 
     private static Answered takesArguments(Component component) {
         String name = component.qualifiedName();
         String reason =
-                name + " takes arguments; ask with some: arcomat refines '" + name + "(..)' B PATH";
+                name
+                        + " takes arguments, and no part gives it some; ask with some: arcomat"
+                        + " refines '"
+                        + name
+                        + "(..)' B PATH";
         return new Answered(name, "", component.span(), Verdict.unknown(reason));
     }
 }

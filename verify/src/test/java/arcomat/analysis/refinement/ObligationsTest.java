@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.analysis.refinement.Obligations.Obligation;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
+import arcomat.pipeline.analysis.InstanceArguments;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
@@ -21,7 +22,8 @@ class ObligationsTest {
     void whoKeepsWhat() {
         Scenario scenario = Scenario.read(DATA);
         Model model = Lowering.lower(scenario.workspace());
-        Obligations.All all = Obligations.of(model, model.components());
+        Obligations.All all =
+                Obligations.of(model, model.components(), InstanceArguments.in(model)::of);
         String text =
                 Stream.concat(
                                 all.obligations().stream().map(ObligationsTest::text),

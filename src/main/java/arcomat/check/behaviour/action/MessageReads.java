@@ -1,0 +1,211 @@
+package arcomat.check.behaviour.action;
+
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.TypedExpression;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.tree.Expression.BinaryOperator;
+import arcomat.tree.Expression.UnaryOperator;
+
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+
+/**
+ * Which messages an expression reads, and which of them it reads without having asked whether they
+ * are there. Names stand for what they hold.
+ */
+final class MessageReads {
+    /**
+     * What a name stands for.
+     *
+     * @param all messages that it was made from
+     * @param open those of them that may not be there, unless they count where it was assigned
+     * @param unguarded those of them that nothing in it asks for first
+     */
+    record Held(
+            Set<PortSymbol> all,
+            Set<PortSymbol> open,
+            Set<PortSymbol> unguarded,
+            Presence presence) {
+        static final Held NOTHING = new Held(Set.of(), Set.of(), Set.of(), Presence.NONE);
+
+        /** The same, where what it reads counts at the place that assigned it. */
+        Held counted() {
+            return new Held(all, Set.of(), Set.of(), presence);
+        }
+
+        /** What is the one or the other, and counts at the places that assigned it. */
+        Held either(Held other) {
+            return new Held(
+                    Presence.all(all, other.all),
+                    Set.of(),
+                    Set.of(),
+                    presence.either(other.presence));
+        }
+    }
+
+    private final Function<VariableSymbol, Held> held;
+    private final Map<TypedExpression, Presence> known = new IdentityHashMap<>();
+
+    /**
+     * @param held what names stand for at this place
+     */
+    MessageReads(Function<VariableSymbol, Held> held) {
+        this.held = held;
+    }
+
+    /** What the value of the expression tells. */
+    Presence presence(TypedExpression expression) {
+        Presence before = known.get(expression);
+        if (before != null) {
+            return before;
+        }
+        Presence found = findPresence(expression);
+        known.put(expression, found);
+        return found;
+    }
+
+    private Presence findPresence(TypedExpression expression) {
+        if (expression instanceof TypedExpression.PortRead read) {
+            return maySilence(read.port()) ? Presence.of(Set.of(read.port())) : Presence.NONE;
+        }
+        if (expression instanceof TypedExpression.Absence absence) {
+            Set<PortSymbol> port = Set.of(absence.port());
+            Presence there = new Presence(Set.of(), port, Set.of());
+            return absence.node().present() ? there : there.negated();
+        }
+        if (expression instanceof TypedExpression.VariableRead read) {
+            return held.apply(read.variable()).presence();
+        }
+        if (expression instanceof TypedExpression.Unary unary) {
+            Presence operand = presence(unary.operand());
+            return unary.node().operator() == UnaryOperator.NOT ? operand.negated() : operand;
+        }
+        if (expression instanceof TypedExpression.Binary binary) {
+            return presence(binary);
+        }
+        if (expression instanceof TypedExpression.Conditional choice) {
+            return presence(choice);
+        }
+        return Presence.of(ofAll(expression.parts()));
+    }
+
+    private Presence presence(TypedExpression.Binary binary) {
+        Presence left = presence(binary.left());
+        Presence right = presence(binary.right());
+        return switch (binary.node().operator()) {
+            case AND -> left.and(right);
+            case OR -> left.or(right);
+            case IMPLIES -> left.negated().or(right);
+            default -> Presence.of(Presence.all(left.always(), right.always()));
+        };
+    }
+
+    private Presence presence(TypedExpression.Conditional choice) {
+        Presence condition = presence(choice.condition());
+        Presence branches = presence(choice.then()).either(presence(choice.otherwise()));
+        return new Presence(
+                Presence.all(condition.always(), branches.always()),
+                Presence.all(condition.always(), branches.whenTrue()),
+                Presence.all(condition.always(), branches.whenFalse()));
+    }
+
+    private Set<PortSymbol> ofAll(List<TypedExpression> parts) {
+        Set<PortSymbol> all = new HashSet<>();
+        parts.forEach(part -> all.addAll(presence(part).always()));
+        return all;
+    }
+
+    /** All messages that it reads, by itself or through names. */
+    Set<PortSymbol> all(TypedExpression expression) {
+        return read(expression, Held::all);
+    }
+
+    /**
+     * The messages that have to be there for the value of an expression to be kept or sent: all
+     * that it reads, whatever it asks for first. In text order.
+     *
+     * @param there ports that are known to have a message at this place
+     */
+    Set<PortSymbol> open(TypedExpression expression, Set<PortSymbol> there) {
+        Set<PortSymbol> open = read(expression, Held::open);
+        open.removeAll(there);
+        return open;
+    }
+
+    private Set<PortSymbol> read(
+            TypedExpression expression, Function<Held, Set<PortSymbol>> ofName) {
+        Set<PortSymbol> reads = new LinkedHashSet<>();
+        expression.walk(
+                part -> {
+                    if (part instanceof TypedExpression.PortRead read && maySilence(read.port())) {
+                        reads.add(read.port());
+                    } else if (part instanceof TypedExpression.VariableRead read) {
+                        reads.addAll(ofName.apply(held.apply(read.variable())));
+                    }
+                });
+        return reads;
+    }
+
+    /**
+     * The messages without which a condition may be undefined, in text order.
+     *
+     * @param there ports that are known to have a message at this place
+     */
+    Set<PortSymbol> unguarded(TypedExpression expression, Set<PortSymbol> there) {
+        Set<PortSymbol> found = new LinkedHashSet<>();
+        collect(expression, there, found);
+        return found;
+    }
+
+    private void collect(TypedExpression expression, Set<PortSymbol> there, Set<PortSymbol> found) {
+        if (expression instanceof TypedExpression.PortRead read) {
+            if (maySilence(read.port()) && !there.contains(read.port())) {
+                found.add(read.port());
+            }
+        } else if (expression instanceof TypedExpression.VariableRead read) {
+            held.apply(read.variable()).unguarded().stream()
+                    .filter(port -> !there.contains(port))
+                    .forEach(found::add);
+        } else if (expression instanceof TypedExpression.Binary binary) {
+            collect(binary, there, found);
+        } else if (expression instanceof TypedExpression.Conditional choice) {
+            Presence condition = presence(choice.condition());
+            collect(choice.condition(), there, found);
+            collect(choice.then(), Presence.all(there, condition.whenTrue()), found);
+            collect(choice.otherwise(), Presence.all(there, condition.whenFalse()), found);
+        } else {
+            expression.parts().forEach(part -> collect(part, there, found));
+        }
+    }
+
+    /** What stands beside a part that decides alone does not count where that part does. */
+    private void collect(
+            TypedExpression.Binary binary, Set<PortSymbol> there, Set<PortSymbol> found) {
+        Presence left = presence(binary.left());
+        Presence right = presence(binary.right());
+        BinaryOperator operator = binary.node().operator();
+        Set<PortSymbol> besideLeft =
+                switch (operator) {
+                    case AND, IMPLIES -> left.whenTrue();
+                    case OR -> left.whenFalse();
+                    default -> Set.of();
+                };
+        Set<PortSymbol> besideRight =
+                switch (operator) {
+                    case AND -> right.whenTrue();
+                    case OR, IMPLIES -> right.whenFalse();
+                    default -> Set.of();
+                };
+        collect(binary.left(), Presence.all(there, besideRight), found);
+        collect(binary.right(), Presence.all(there, besideLeft), found);
+    }
+
+    private static boolean maySilence(PortSymbol port) {
+        return port.isInput() && !port.isTotal() && port.first().isEmpty();
+    }
+}
