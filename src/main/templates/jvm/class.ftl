@@ -29,7 +29,7 @@ public final class ${name} {
         }
 <#if attributes?has_content>
         ${name} that = (${name}) other;
-        return <#list attributes as attribute><#if attribute.kind == "java">(${attribute.name} == null ? that.${attribute.name} == null : ${attribute.name}.equals(that.${attribute.name}))<#elseif ["string", "class"]?seq_contains(attribute.kind)>${attribute.name}.equals(that.${attribute.name})<#else>${attribute.name} == that.${attribute.name}</#if><#sep>
+        return <#list attributes as attribute><#if attribute.kind == "java">(${attribute.name} == null ? that.${attribute.name} == null : ${attribute.name}.equals(that.${attribute.name}))<#elseif ["string", "class"]?seq_contains(attribute.kind)>${attribute.name}.equals(that.${attribute.name})<#elseif ["double", "float"]?seq_contains(attribute.kind)>Double.doubleToLongBits(${attribute.name}) == Double.doubleToLongBits(that.${attribute.name})<#else>${attribute.name} == that.${attribute.name}</#if><#sep>
                 && </#list>;
 <#else>
         return true;

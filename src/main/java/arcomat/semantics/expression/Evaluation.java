@@ -154,16 +154,36 @@ public final class Evaluation implements Expression.Cases<Term> {
         List<Term> set = isIn.set().stream().map(this::term).toList();
         return (ports, variables) -> {
             Value found = element.evaluate(ports, variables);
-            boolean contained = false;
-            for (Term term : set) {
-                Value value = term.evaluate(ports, variables);
-                if (value == null || found == null) {
+            return found == null ? null : isIn(found, set, ports, variables);
+        };
+    }
+
+    /** Behind the value that is found nothing is computed, but all messages have to be there. */
+    private static @Nullable Value isIn(
+            Value found, List<Term> set, Value[] ports, Value[] variables) {
+        boolean contained = false;
+        for (Term term : set) {
+            if (contained) {
+                if (!isDefined(term, ports, variables)) {
                     return null;
                 }
-                contained |= Arithmetic.equal(found, value);
+            } else {
+                Value value = term.evaluate(ports, variables);
+                if (value == null) {
+                    return null;
+                }
+                contained = Arithmetic.equal(found, value);
             }
-            return found == null ? null : truth(contained);
-        };
+        }
+        return truth(contained);
+    }
+
+    private static boolean isDefined(Term term, Value[] ports, Value[] variables) {
+        try {
+            return term.evaluate(ports, variables) != null;
+        } catch (Fault fault) {
+            return true;
+        }
     }
 
     @Override

@@ -114,8 +114,7 @@ final class InvariantsAsTheReference implements Law {
         return verdict.trace().size();
     }
 
-    private static Outcome asTheReference(
-            Component component, Invariant invariant, Verdict verdict) {
+    static Outcome asTheReference(Component component, Invariant invariant, Verdict verdict) {
         if (verdict.answer() == Answer.UNKNOWN) {
             return Outcome.SKIPPED;
         }

@@ -5,11 +5,16 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Letter;
 import arcomat.semantics.Promise;
+import arcomat.semantics.network.Network;
+import arcomat.semantics.network.Network.External;
+import arcomat.semantics.network.Network.Instance;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -20,6 +25,10 @@ public final class NoRun {
     private static final String REASON = "contradiction";
 
     private static final String ADAPTIVE = "after inputs that depend on its outputs";
+
+    private static final String THERE = ", so it has no run there";
+
+    private static final String IF_IT_COMES = "; %s has no run where these inputs come to it";
 
     /** More inputs than these are counted, not shown. */
     private static final int MOST_SHOWN = 4;
@@ -38,12 +47,51 @@ public final class NoRun {
 
     /** A verdict about all runs of a component, which says so where inputs leave it none. */
     public Verdict noted(Promise side, Verdict verdict) {
-        if (verdict.answer() != Answer.HOLDS || side.automata().size() < 2) {
+        if (verdict.answer() != Answer.HOLDS || isReasonOf(verdict)) {
             return verdict;
         }
-        return known.computeIfAbsent(side.title(), any -> Contradictions.first(side, budget))
-                .map(found -> verdict.because(REASON, note(side, found)))
+        if (side.isComposition()) {
+            return notedParts(side, verdict);
+        }
+        return found(side)
+                .map(found -> verdict.because(REASON, note(side.title(), side, found) + THERE))
                 .orElse(verdict);
+    }
+
+    /** A composition has no run where one of its parts has none. */
+    private Verdict notedParts(Promise whole, Verdict verdict) {
+        Network network = whole.network();
+        Optional<String> note = Optional.empty();
+        for (Instance part : network.instances()) {
+            Promise side = Promise.of(part.component(), part.arguments());
+            Optional<Consistency.Contradiction> found = found(side);
+            if (found.isPresent()) {
+                String text = note("part '" + part.path() + "'", side, found.get());
+                if (comes(found.get(), part, network)) {
+                    String certain = text + ", so " + whole.title() + " has no run there";
+                    return verdict.because(REASON, certain);
+                }
+                note = note.or(() -> Optional.of(text + IF_IT_COMES.formatted(whole.title())));
+            }
+        }
+        return note.filter(each -> !verdict.notes().contains(each))
+                .map(verdict::with)
+                .orElse(verdict);
+    }
+
+    /** Whether those who give a composition its inputs can bring a part there for certain. */
+    private static boolean comes(Consistency.Contradiction found, Instance part, Network network) {
+        Set<Integer> outside =
+                network.inputs().stream().map(External::signal).collect(Collectors.toSet());
+        Set<Integer> read = new HashSet<>(part.inputSignals());
+        boolean each = read.size() == part.inputSignals().size() && outside.containsAll(read);
+        return found.word().map(word -> word.isEmpty() || each).orElse(false);
+    }
+
+    private Optional<Consistency.Contradiction> found(Promise side) {
+        return side.automata().size() < 2
+                ? Optional.empty()
+                : known.computeIfAbsent(side.title(), any -> Contradictions.first(side, budget));
     }
 
     /** Whether a verdict holds only where a component may have no run. */
@@ -51,13 +99,19 @@ public final class NoRun {
         return verdict.answer() == Answer.HOLDS && verdict.reason().equals(REASON);
     }
 
-    private static String note(Promise side, Consistency.Contradiction found) {
+    /** What was noted of a verdict. */
+    public static List<String> notes(Verdict verdict) {
+        return verdict.notes().stream().filter(note -> note.startsWith(REASON + ": ")).toList();
+    }
+
+    private static String note(String named, Promise side, Consistency.Contradiction found) {
         String members =
                 found.requirements().stream()
                         .map(each -> "'" + each.name() + "'")
                         .collect(Collectors.joining(", "));
-        return "contradiction: automata %s of %s allow no output %s, so it has no run there"
-                .formatted(members, side.title(), found.word().map(NoRun::after).orElse(ADAPTIVE));
+        String title = named.equals(side.title()) ? named : side.title() + " in " + named;
+        return "%s: automata %s of %s allow no output %s"
+                .formatted(REASON, members, title, found.word().map(NoRun::after).orElse(ADAPTIVE));
     }
 
     private static String after(List<Letter> word) {

@@ -7,7 +7,6 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
@@ -61,19 +60,40 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
     /** Nothing is computed where there is no message, and nothing behind a value that fits. */
     @Override
     public Expression portMatches(Expression.PortMatches matches) {
-        List<Expression> values = new ArrayList<>(matches.operands());
-        Expression any = NEVER;
-        for (int i = values.size() - 1; i >= 0; i--) {
-            Expression fits =
-                    new Expression.PortMatches(
-                            matches.port(),
-                            new Automaton.OneOf(List.of(values.get(i))),
-                            matches.span());
-            any = or(in(values.get(i)), and(not(fits), any));
-        }
         Expression present =
                 new Expression.PortMatches(matches.port(), new Automaton.Present(), matches.span());
-        return and(present, any);
+        return and(
+                present,
+                inFirst(
+                        matches.operands(),
+                        value ->
+                                new Expression.PortMatches(
+                                        matches.port(),
+                                        new Automaton.OneOf(List.of(value)),
+                                        matches.span())));
+    }
+
+    /** Nothing is computed behind a value that is the element. */
+    @Override
+    public Expression isIn(Expression.IsIn isIn) {
+        Expression element = isIn.element();
+        return or(
+                in(element),
+                inFirst(isIn.set(), value -> compare(BinaryOperator.EQUAL, element, value)));
+    }
+
+    /**
+     * In one of some values, up to the first that fits.
+     *
+     * @param fits whether a value does
+     */
+    private Expression inFirst(List<Expression> values, UnaryOperator<Expression> fits) {
+        Expression any = NEVER;
+        for (int i = values.size() - 1; i >= 0; i--) {
+            Expression value = values.get(i);
+            any = or(in(value), isNever(any) ? any : and(not(fits.apply(value)), any));
+        }
+        return any;
     }
 
     @Override
@@ -104,11 +124,6 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
     @Override
     public Expression unary(Expression.Unary unary) {
         return inAll(unary);
-    }
-
-    @Override
-    public Expression isIn(Expression.IsIn isIn) {
-        return inAll(isIn);
     }
 
     @Override

@@ -133,10 +133,29 @@ public final class MessageExamples {
             settle();
             return new Rows(examples, Optional.empty());
         } catch (GivenUp reason) {
-            return new Rows(
-                    examples.subList(0, Math.min(SOME, examples.size())),
-                    Optional.of(String.valueOf(reason.getMessage())));
+            return new Rows(some(), Optional.of(String.valueOf(reason.getMessage())));
         }
+    }
+
+    /**
+     * Some of many: all ways in which conditions are true or not, if they can be told, and then
+     * others. Which values are stored is left aside at first, since there may be any number.
+     */
+    private List<Value[]> some() {
+        List<Value[]> some = new ArrayList<>(withoutStored());
+        int room = Math.max(0, SOME - some.size());
+        some.addAll(examples.subList(0, Math.min(room, examples.size())));
+        return some;
+    }
+
+    private List<Value[]> withoutStored() {
+        return facts.stream().anyMatch(DataFact.Stored.class::isInstance)
+                ? of(ports, facts.stream().map(MessageExamples::withoutStored).toList(), stop).rows
+                : List.of();
+    }
+
+    private static DataFact withoutStored(DataFact fact) {
+        return fact instanceof DataFact.Stored stored ? new DataFact.Holds(stored.when()) : fact;
     }
 
     /** What bits are better for, they are asked about first, and about the rest last. */

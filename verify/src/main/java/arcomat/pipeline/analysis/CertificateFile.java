@@ -1,5 +1,6 @@
 package arcomat.pipeline.analysis;
 
+import arcomat.analysis.contradiction.NoRun;
 import arcomat.analysis.refinement.Certification;
 import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.Verdict;
@@ -48,7 +49,10 @@ record CertificateFile(String written, PathNames names) {
     /** Nothing is written where the refinement does not hold, or nothing shows why. */
     void write(Promise left, Promise right, Certification proof) throws WrongUse {
         if (!proof.certificates().isEmpty()) {
-            write(CertificateText.render(left.title(), right.title(), proof.certificates()));
+            List<String> remarks = NoRun.notes(proof.verdict());
+            write(
+                    CertificateText.render(
+                            left.title(), right.title(), remarks, proof.certificates()));
         }
     }
 

@@ -1,5 +1,6 @@
 package arcomat.pipeline.analysis;
 
+import arcomat.analysis.contradiction.NoRun;
 import arcomat.analysis.refinement.Certification;
 import arcomat.analysis.refinement.InvariantCertification;
 import arcomat.analysis.refinement.Verdict;
@@ -14,14 +15,22 @@ import java.util.List;
 
 /** The engine of this tool, which remembers why all holds that does. */
 final class CertifyingProver implements PromiseProver {
+    private final NoRun noRun;
     private final List<Proof> proofs = new ArrayList<>();
+
+    /**
+     * @param noRun says where a side has no run
+     */
+    CertifyingProver(NoRun noRun) {
+        this.noRun = noRun;
+    }
 
     @Override
     public Verdict refines(Promise left, Promise right, Budget budget) {
         Certification found = Certification.of(left, right, budget);
         return found.verdict().answer() == Answer.UNKNOWN
                 ? unwritten(ENGINE.refines(left, right, budget))
-                : remembered(PromiseProver.title(left, right), found);
+                : remembered(left, PromiseProver.title(left, right), found);
     }
 
     /** Part by part, what is too much for a certificate may be shown. */
@@ -32,14 +41,15 @@ final class CertifyingProver implements PromiseProver {
     @Override
     public Verdict keeps(Promise side, Invariant invariant, Budget budget) {
         Certification found = InvariantCertification.of(side, invariant, budget);
-        return remembered(PromiseProver.title(side, invariant), found);
+        return remembered(side, PromiseProver.title(side, invariant), found);
     }
 
-    private Verdict remembered(String title, Certification found) {
+    private Verdict remembered(Promise side, String title, Certification found) {
+        Verdict noted = noRun.noted(side, found.verdict());
         if (!found.certificates().isEmpty()) {
-            proofs.add(new Proof(title, found.certificates()));
+            proofs.add(new Proof(title, NoRun.notes(noted), found.certificates()));
         }
-        return found.verdict();
+        return noted;
     }
 
     /** In the order of the questions. */

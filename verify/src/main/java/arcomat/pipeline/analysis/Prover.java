@@ -1,5 +1,6 @@
 package arcomat.pipeline.analysis;
 
+import arcomat.analysis.contradiction.NoRun;
 import arcomat.analysis.refinement.Certification;
 import arcomat.analysis.refinement.MonaRefinement;
 import arcomat.analysis.refinement.Refinement;
@@ -70,9 +71,11 @@ public sealed interface Prover {
                 throws WrongUse {
             CertificateFile file = new CertificateFile(certificate, names);
             file.requireReplaceable();
-            Certification certification = Certification.of(left, right, limits.budget());
-            file.write(left, right, certification);
-            return certification.verdict();
+            Budget budget = limits.budget();
+            Certification found = Certification.of(left, right, budget);
+            Verdict noted = new NoRun(budget).noted(left, found.verdict());
+            file.write(left, right, new Certification(noted, found.certificates()));
+            return noted;
         }
     }
 

@@ -70,8 +70,10 @@ public record VerifyPromises(
     private List<Answered> certified(CertificateFile file, LoweredModels models, Session session)
             throws WrongUse {
         file.requireReplaceable();
-        CertifyingProver prover = new CertifyingProver();
-        List<Answered> answers = answers(models, prover, limits.budget(), session.progress());
+        Budget budget = limits.budget();
+        NoRun noRun = new NoRun(budget);
+        CertifyingProver prover = new CertifyingProver(noRun);
+        List<Answered> answers = answers(models, prover, noRun, budget, session.progress());
         file.write(prover.proofs());
         return answers;
     }
@@ -83,9 +85,17 @@ public record VerifyPromises(
 
     private static List<Answered> answers(
             LoweredModels models, PromiseProver prover, Budget budget, Progress progress) {
+        return answers(models, prover, new NoRun(budget), budget, progress);
+    }
+
+    private static List<Answered> answers(
+            LoweredModels models,
+            PromiseProver prover,
+            NoRun noRun,
+            Budget budget,
+            Progress progress) {
         InstanceArguments instances = InstanceArguments.in(models.model());
         Obligations.All all = Obligations.of(models.model(), models.named(), instances::of);
-        NoRun noRun = new NoRun(budget);
         List<Answered> answers = new ArrayList<>();
         for (Obligation obligation : all.obligations()) {
             String left = obligation.left().title();

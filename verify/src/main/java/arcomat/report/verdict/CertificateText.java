@@ -37,9 +37,11 @@ public final class CertificateText {
      * What certificates prove together.
      *
      * @param title what they are about; empty where the file does not say it
+     * @param remarks for the reader
      */
-    public record Proof(String title, List<Certificate> certificates) {
+    public record Proof(String title, List<String> remarks, List<Certificate> certificates) {
         public Proof {
+            remarks = List.copyOf(remarks);
             certificates = List.copyOf(certificates);
         }
     }
@@ -47,14 +49,17 @@ public final class CertificateText {
     /**
      * @param left for the reader
      * @param right for the reader
+     * @param remarks for the reader
      */
-    public static String render(String left, String right, List<Certificate> certificates) {
+    public static String render(
+            String left, String right, List<String> remarks, List<Certificate> certificates) {
         StringBuilder out = new StringBuilder(FIRST + "\n");
         out.append("# ")
                 .append(OneLine.of(left))
                 .append(" refines ")
                 .append(OneLine.of(right))
                 .append('\n');
+        remark(remarks, out);
         certificates.forEach(each -> append(each, out));
         return out.toString();
     }
@@ -64,9 +69,14 @@ public final class CertificateText {
         StringBuilder out = new StringBuilder(FIRST + "\n");
         for (Proof proof : proofs) {
             out.append(TITLE).append(OneLine.of(proof.title)).append('\n');
+            remark(proof.remarks, out);
             proof.certificates.forEach(each -> append(each, out));
         }
         return out.toString();
+    }
+
+    private static void remark(List<String> remarks, StringBuilder out) {
+        remarks.forEach(each -> out.append("# ").append(OneLine.of(each)).append('\n'));
     }
 
     private static void append(Certificate certificate, StringBuilder out) {
@@ -111,6 +121,7 @@ public final class CertificateText {
         Proof proof() {
             return new Proof(
                     title,
+                    List.of(),
                     certificates.stream()
                             .map(each -> new Certificate(each.form, each.entries))
                             .toList());

@@ -185,7 +185,8 @@ class CouplingCheckTest {
     /** As it comes out of a file. */
     private static Certificate read(Certificate proof) {
         byte[] file =
-                CertificateText.render("A", "B", List.of(proof)).getBytes(StandardCharsets.UTF_8);
+                CertificateText.render("A", "B", List.of(), List.of(proof))
+                        .getBytes(StandardCharsets.UTF_8);
         return CertificateText.parse(new String(file, StandardCharsets.UTF_8))
                 .orElseThrow()
                 .get(0)

@@ -5,7 +5,6 @@ import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Automaton.Send;
 import arcomat.model.Component;
-import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.model.Variable;
@@ -197,21 +196,12 @@ final class NaiveAutomata {
                         .allMatch(m -> values.matches(m.port().name(), m.pattern()))
                 && transition.guard().map(values::isTrue).orElse(true)
                 && transition.sends().stream().allMatch(s -> isDefined(s, values))
-                && transition.assignments().stream().allMatch(a -> isDefined(a.value(), values));
+                && transition.assignments().stream().allMatch(a -> values.isReadable(a.value()));
     }
 
     private static boolean isDefined(Send send, NaiveValues values) {
         return !(send.emission() instanceof Automaton.Messages messages)
-                || messages.values().stream().allMatch(value -> isDefined(value, values));
-    }
-
-    /** Whether all messages are there that it reads; it may go wrong nevertheless. */
-    private static boolean isDefined(Expression value, NaiveValues values) {
-        try {
-            return values.of(value) != null;
-        } catch (Wrong wrong) {
-            return true;
-        }
+                || messages.values().stream().allMatch(values::isReadable);
     }
 
     private Step effect(

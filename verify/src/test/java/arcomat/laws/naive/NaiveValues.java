@@ -52,7 +52,37 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
                     ? is(wanted, choice.then())
                     : is(false, choice.condition()) && is(wanted, choice.otherwise());
         }
-        return truth(wanted).equals(of(e));
+        return isDefined(e) && truth(wanted).equals(of(e));
+    }
+
+    /**
+     * Whether an expression has a value, which is asked from left to right before anything is
+     * calculated. Only what decides by itself which operands count is calculated to know that.
+     */
+    private boolean isDefined(Expression e) {
+        if (e instanceof Expression.PortRead read) {
+            return ports.get(read.port().name()) != null;
+        }
+        if (e instanceof Expression.PortMatches) {
+            return true;
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return is(true, choice.condition())
+                    ? isDefined(choice.then())
+                    : is(false, choice.condition()) && isDefined(choice.otherwise());
+        }
+        if (e instanceof Expression.Binary binary && CONNECTIVES.contains(binary.operator())) {
+            return is(true, e) || is(false, e);
+        }
+        return e.operands().stream().allMatch(this::isDefined);
+    }
+
+    /** Whether all messages are there that an expression reads anywhere. */
+    boolean isReadable(Expression e) {
+        return !e.contains(
+                part ->
+                        part instanceof Expression.PortRead read
+                                && ports.get(read.port().name()) == null);
     }
 
     private static Value truth(boolean value) {
@@ -80,11 +110,23 @@ record NaiveValues(Map<String, Value> ports, Map<String, Value> variables) {
         if (e instanceof Expression.PortMatches asked) {
             return truth(matches(asked.port().name(), asked.pattern()));
         }
+        if (e instanceof Expression.AttributeRead read) {
+            Value object = of(read.object());
+            return object == null
+                    ? null
+                    : ((Value.ObjectValue) object).attributes().get(read.index());
+        }
         if (e instanceof Expression.Unary unary) {
             return unary(unary);
         }
         if (e instanceof Expression.Cast cast) {
             return cast(of(cast.operand()), cast.type());
+        }
+        if (e instanceof Expression.IsIn isIn) {
+            Value element = of(isIn.element());
+            return element == null
+                    ? null
+                    : truth(isIn.set().stream().anyMatch(each -> equal(element, of(each))));
         }
         if (e instanceof Expression.Conditional choice) {
             Value condition = of(choice.condition());

@@ -23,7 +23,7 @@ public final class Cup {
         Cup that = (Cup) other;
         return weight == that.weight
                 && level == that.level
-                && volume == that.volume
+                && Double.doubleToLongBits(volume) == Double.doubleToLongBits(that.volume)
                 && owner.equals(that.owner);
     }
 
