@@ -24,7 +24,7 @@ import java.util.Set;
  * for what was assigned to it last; what is overwritten before somebody reads it counts for
  * nothing.
  */
-final class StatementReads implements ActionSymbol.Cases<Void> {
+final class StatementReads implements ActionSymbol.Cases<StatementReads> {
     /** One side of a choice. */
     record Branch(ActionSymbol.Choose choice, boolean then) {
         boolean excludes(Branch other) {
@@ -86,16 +86,19 @@ final class StatementReads implements ActionSymbol.Cases<Void> {
 
     private StatementReads() {}
 
+    /** What statements read and do. */
     static StatementReads of(ActionSymbol actions) {
-        StatementReads reads = new StatementReads();
-        actions.match(reads);
-        reads.values.forEach(
+        return actions.match(new StatementReads()).withWhatIsKept();
+    }
+
+    private StatementReads withWhatIsKept() {
+        values.forEach(
                 (name, value) -> {
                     if (isKept(name)) {
-                        reads.reads.addAll(value.reads());
+                        reads.addAll(value.reads());
                     }
                 });
-        return reads;
+        return this;
     }
 
     /** In text order of what they count for. */
@@ -125,13 +128,13 @@ final class StatementReads implements ActionSymbol.Cases<Void> {
     }
 
     @Override
-    public Void sequence(ActionSymbol.Sequence sequence) {
+    public StatementReads sequence(ActionSymbol.Sequence sequence) {
         sequence.actions().forEach(each -> each.match(this));
-        return null;
+        return this;
     }
 
     @Override
-    public Void declare(ActionSymbol.Declare declare) {
+    public StatementReads declare(ActionSymbol.Declare declare) {
         for (ActionSymbol.Local local : declare.locals()) {
             VariableSymbol name = local.variable();
             Optional<TypedExpression> initial = name.initial().map(Typed::expression);
@@ -140,17 +143,17 @@ final class StatementReads implements ActionSymbol.Cases<Void> {
                     name,
                     new Value(initial.map(this::held).orElse(Held.NOTHING), branches, Set.of()));
         }
-        return null;
+        return this;
     }
 
     @Override
-    public Void assign(ActionSymbol.Assign assign) {
+    public StatementReads assign(ActionSymbol.Assign assign) {
         ItemSymbol item = assign.item();
         Optional<ValueSymbol> target = item.target().found();
         if (target.isPresent()) {
             assign(assign, target.get(), item.value().expressions());
         }
-        return null;
+        return this;
     }
 
     private void assign(ActionSymbol.Assign assign, ValueSymbol target, List<Typed> written) {
@@ -213,7 +216,7 @@ final class StatementReads implements ActionSymbol.Cases<Void> {
     }
 
     @Override
-    public Void choose(ActionSymbol.Choose choice) {
+    public StatementReads choose(ActionSymbol.Choose choice) {
         TypedExpression condition = choice.condition().expression();
         look(condition);
         MessageReads messages = messages();
@@ -228,7 +231,7 @@ final class StatementReads implements ActionSymbol.Cases<Void> {
         Map<ValueSymbol, Value> otherwise =
                 after(choice, false, choice.otherwise(), told.whenFalse(), before);
         values = merged(then, otherwise);
-        return null;
+        return this;
     }
 
     private Map<ValueSymbol, Value> after(
