@@ -152,6 +152,25 @@ class NeedsTest {
         assertThat(time(needs(three))).isGreaterThan(none * 3 / 2).isLessThan(none * 2);
     }
 
+    /** Regulation takes its share of what computes; of a wait, only what runs at its end counts. */
+    @Test
+    void aWaitForABusIsHardlyLongerWhileMotorsTurn() throws IOException {
+        String sonar = "lejos.nxt.UltrasonicSensor sonar;";
+        long wait = 4600;
+        long computing = time("sonar.getDistance();", sonar) - wait;
+        long turning =
+                time(needs(turning("sonar.getDistance();", sonar)))
+                        - time(needs(turning("", sonar)));
+        long expected = wait + 600 + computing * 4000 / 3400;
+
+        assertThat(computing).isPositive();
+        assertThat(turning).isBetween(expected - 1, expected + 1);
+    }
+
+    private static String turning(String slice, String members) {
+        return robot(slice, members).replace("start() {", "start() { new arcomat.nxt.Shaft(1);");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '#',
