@@ -263,6 +263,33 @@ class NeedsTest {
         assertThat(made).isBetween(804L, 870L);
     }
 
+    /** As programs that are driven by events do: however many wait, none of them makes anything. */
+    @Test
+    void aSliceThatGoesOnUntilNothingWaitsMakesNothing() throws IOException {
+        String react =
+                "boolean react() { if (n == 0) return false; n--; note(\"some port\"); return true;"
+                        + " } void note(String text) {}";
+        long made = memory(needs(robot("while (react()) {}", react))) - memory(needs(robot("")));
+
+        assertThat(made).isBetween(0L, 120L);
+        assertThat(needs(robot("while (react()) { new Object(); }", react)).memory().unknown())
+                .hasValue("a loop may go round any number of times in Bot.slice");
+    }
+
+    @Test
+    void aListenerHasAThreadWithAStack() throws IOException {
+        String listener =
+                "static class Ear implements lejos.nxt.ButtonListener { public void"
+                        + " buttonPressed(lejos.nxt.Button key) { %s } public void"
+                        + " buttonReleased(lejos.nxt.Button key) {} }";
+        long none = memory(needs(robot("", "static class Ear {}")));
+        long idle = memory(needs(robot("", listener.formatted("")))) - none;
+        long made = memory(needs(robot("", listener.formatted("new long[10].clone();")))) - none;
+
+        assertThat(idle).isBetween(52L + 12 + 20, 52L + 12 + 100 + 100);
+        assertThat(made - idle).isBetween(84L, 84L + 6 * 20 + 40 * 4 + 20);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '#',
