@@ -8,14 +8,14 @@ public final class ${head.name} {
 
     public ${head.name}(<@parts.parameters head/>) {
 <@parts.construct members fixed loops/>
-<@parts.assign registers/>
+<@parts.assign registers "sendDelayed"/>
     }
 <#if sensors?has_content>
 
     /** Samples the sensors: the start of a slice. */
     public void sense() {
 <@parts.call sensors "sense"/>
-<@parts.assign sensed/>
+<@parts.assign sensed "show"/>
     }
 </#if>
 
@@ -23,7 +23,7 @@ public final class ${head.name} {
     public void step() {
 <#if known?has_content || loops.known?has_content || knowers?has_content>
         // Known when the slice starts: from outside, from sensors, and sent in the slice before.
-<@parts.assign known/>
+<@parts.assign known "receive"/>
 <@parts.schedule loops.known/>
 <@parts.call knowers "know"/>
 
@@ -31,10 +31,17 @@ public final class ${head.name} {
 <#if loops.reordered>
         // Receivers before senders: what is delayed still shows what was sent in the slice before.
 </#if>
-<@parts.schedule steps/>
+<@parts.schedule steps "feed"/>
 <#if registers?has_content || fresh?has_content>
 
 </#if>
-<@parts.assign fresh + registers/>
+<@parts.assign fresh "send"/>
+<@parts.assign registers "sendDelayed"/>
     }
+<@parts.portions sensed "show"/>
+<@parts.portions known "receive"/>
+<@parts.portionsOfSteps steps "feed"/>
+<@parts.portions fresh "send"/>
+<@parts.portions registers "sendDelayed"/>
+<@parts.portions fixed "fix"/>
 }

@@ -10,46 +10,10 @@ public class ${head.name} {
 </#list>
 
     public ${head.name}(<@parts.parameters head/>) {
-<#list members as member>
-<#if member.routes?has_content>
-        ${member.part.name} =
-                new ${member.part.type}(${member.part.arguments}) {
-<#list member.routes as route>
-                    protected void ${route.port.method}(${route.port.port.type} message) {
-<#list route.calls as call>
-                        ${head.name}.this.${call}(message);
-</#list>
-                    }
-<#sep>
-
-</#sep>
-</#list>
-                };
-<#else>
-        ${member.part.name} = new ${member.part.type}(${member.part.arguments});
-</#if>
-</#list>
+<@parts.connect members head.name/>
     }
 
-    /** Starts all parts, in order. */
-    public void start() {
-<#list members as member>
-<#if member.reacts>
-        ${member.part.name}.start();
-</#if>
-</#list>
-    }
-
-    /** Lets every part react to one event, in order; false if none waits. */
-    public boolean react() {
-        boolean reacted = false;
-<#list members as member>
-<#if member.reacts>
-        reacted |= ${member.part.name}.react();
-</#if>
-</#list>
-        return reacted;
-    }
+<@parts.live members/>
 <#list inputs as input>
 
     /** ${input.port.port.comment} */
@@ -59,5 +23,6 @@ public class ${head.name} {
 </#list>
     }
 </#list>
+<@parts.shares shares/>
 <@parts.sending outputs border/>
 }

@@ -62,9 +62,34 @@ import ${type.packageName}.${type.name};
 </#list>
 </#macro>
 <#macro parameters head><#if head.draws>Choice choice<#if head.parameters?has_content>, </#if></#if><#list head.parameters as parameter>${parameter.type} ${parameter.name}<#sep>, </#list></#macro>
-<#macro assign assignments>
+<#-- Of more than a method should have, the calls of the methods that portions writes. -->
+<#assign most = 250>
+<#macro assign assignments portion="">
+<#if portion != "" && assignments?size gt most>
+<#list assignments?chunk(most) as some>
+        ${portion}${some?index}();
+</#list>
+<#else>
 <#list assignments as assignment>
         ${assignment.target} = ${assignment.value};
+</#list>
+</#if>
+</#macro>
+<#macro portions assignments portion>
+<#if assignments?size gt most>
+<#list assignments?chunk(most) as some>
+
+    private void ${portion}${some?index}() {
+<@assign some/>
+    }
+</#list>
+</#if>
+</#macro>
+<#macro portionsOfSteps steps portion>
+<#list steps as step>
+<#if step.index == "">
+<@portions assignments=step.copies portion=portion + step?index + "portion"/>
+</#if>
 </#list>
 </#macro>
 <#macro call members method>
@@ -99,14 +124,14 @@ import ${type.packageName}.${type.name};
         ${member.name} = new ${member.type}(${member.arguments});
 </#list>
 </#list>
-<@assign fixed/>
+<@assign fixed "fix"/>
 <@schedule loops.fixed/>
 </#macro>
 <#-- Each part after it got the messages that were sent earlier in the same slice. -->
-<#macro schedule steps>
+<#macro schedule steps portion="">
 <#list steps as step>
 <#if step.index == "">
-<@assign step.copies/>
+<@assign assignments=step.copies portion=(portion == "")?then("", portion + step?index + "portion")/>
 <#if step.call != "">
         ${step.part}.${step.call}();
 </#if>
@@ -123,6 +148,60 @@ import ${type.packageName}.${type.name};
 </#if>
         }
 </#if>
+</#list>
+</#macro>
+<#-- Event-driven: parts that hand on what they send; name is the class that they are made in. -->
+<#macro connect members name>
+<#list members as member>
+<#if member.routes?has_content>
+        ${member.part.name} =
+                new ${member.part.type}(${member.part.arguments}) {
+<#list member.routes as route>
+                    protected void ${route.port.method}(${route.port.port.type} message) {
+<#list route.calls as call>
+                        ${name}.this.${call}(message);
+</#list>
+                    }
+<#sep>
+
+</#sep>
+</#list>
+                };
+<#else>
+        ${member.part.name} = new ${member.part.type}(${member.part.arguments});
+</#if>
+</#list>
+</#macro>
+<#macro live members>
+    /** Starts all parts, in order. */
+    public void start() {
+<#list members as member>
+<#if member.reacts>
+        ${member.part.name}.start();
+</#if>
+</#list>
+    }
+
+    /** Lets every part react to one event, in order; false if none waits. */
+    public boolean react() {
+        boolean reacted = false;
+<#list members as member>
+<#if member.reacts>
+        reacted |= ${member.part.name}.react();
+</#if>
+</#list>
+        return reacted;
+    }
+</#macro>
+<#macro shares shares>
+<#list shares as share>
+
+    /** Some of those that a message goes to. */
+    void ${share.method}(${share.type} message) {
+<#list share.calls as call>
+        ${call}(message);
+</#list>
+    }
 </#list>
 </#macro>
 <#-- Event-driven: what leaves a component; whoever contains it overrides the methods. -->

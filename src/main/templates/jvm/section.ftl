@@ -19,7 +19,7 @@ final class ${name} {
 
     /** Copies what is known when the slice starts. */
     void know() {
-<@parts.assign known/>
+<@parts.assign known "receive"/>
 <@parts.schedule loops.known/>
 <@parts.call knowers "know"/>
     }
@@ -28,6 +28,9 @@ final class ${name} {
 <#if loops.reordered>
         // Receivers before senders: what is delayed still shows what was sent in the slice before.
 </#if>
-<@parts.schedule steps/>
+<@parts.schedule steps "feed"/>
     }
+<@parts.portions known "receive"/>
+<@parts.portionsOfSteps steps "feed"/>
+<@parts.portions fixed "fix"/>
 }

@@ -33,7 +33,8 @@ final class OutputFiles {
         NETWORK,
         PLATFORM,
         PROGRAM,
-        SECTION;
+        SECTION,
+        SUBNETWORK;
 
         @Override
         public String toString() {

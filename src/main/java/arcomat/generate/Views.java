@@ -10,10 +10,12 @@ import arcomat.generate.view.HeadView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.PlatformView;
 import arcomat.generate.view.ProgramView;
+import arcomat.generate.view.SubnetworkView;
 import arcomat.generate.views.AtomicViews;
 import arcomat.generate.views.CompositeViews;
 import arcomat.generate.views.EventViews;
 import arcomat.generate.views.Heads;
+import arcomat.generate.views.NetworkViews;
 import arcomat.model.Component;
 import arcomat.model.Type;
 
@@ -51,14 +53,7 @@ final class Views {
         HeadView head = Heads.of(component, program);
         Optional<AutomatonPlan> automaton = program.automaton(component);
         if (context.isEventDriven()) {
-            EventViews views = new EventViews(context, program, head);
-            if (automaton.isPresent()) {
-                output.write(Kind.EVENT, head, views.atomic(automaton.get()));
-            } else if (component.platform()) {
-                platform(component, Kind.BORDER, head, views.network());
-            } else {
-                output.write(Kind.NETWORK, head, views.network());
-            }
+            eventDriven(context, head);
         } else if (component.platform()) {
             boolean senses = !component.outputs().isEmpty();
             boolean acts = !component.inputs().isEmpty();
@@ -71,6 +66,25 @@ final class Views {
             output.write(Kind.COMPOSITE, head, views.view());
             for (PartsView view : views.sections()) {
                 output.write(Kind.SECTION, view.self(), view);
+            }
+        }
+    }
+
+    private void eventDriven(FileContext context, HeadView head) {
+        Component component = context.component();
+        Optional<AutomatonPlan> automaton = program.automaton(component);
+        if (automaton.isPresent()) {
+            EventViews views = new EventViews(context, program, head);
+            output.write(Kind.EVENT, head, views.view(automaton.get()));
+            return;
+        }
+        NetworkViews views = new NetworkViews(context, program, head);
+        if (component.platform()) {
+            platform(component, Kind.BORDER, head, views.view());
+        } else {
+            output.write(Kind.NETWORK, head, views.view());
+            for (SubnetworkView view : views.sections()) {
+                output.write(Kind.SUBNETWORK, view.self(), view);
             }
         }
     }

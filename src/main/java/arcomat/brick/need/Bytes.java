@@ -28,7 +28,7 @@ final class Bytes extends MethodWeights {
 
     /**
      * @param isWithTexts whether texts written in the code count, too: the machine makes them anew
-     *     each time
+     *     each time; what slices make is left out then
      */
     Bytes(Code code, LibraryCost library, boolean isWithTexts) {
         super(code, library);
@@ -68,7 +68,7 @@ final class Bytes extends MethodWeights {
 
     @Override
     protected boolean isLookedInto(MethodName method) {
-        return !isValues(method);
+        return !isValues(method) && !(isWithTexts && method.equals(Entry.SLICES));
     }
 
     /** An enum copies its constants for whoever asks; methods of leJOS keep nothing. */

@@ -13,8 +13,9 @@ import java.util.OptionalInt;
 record Entry(Code code) {
 
     private static final String ROBOT = "arcomat/nxt/Robot";
-    private static final MethodName SLICES =
-            new MethodName(ROBOT, "runSlices", "(Larcomat/rt/Cycle;)V");
+
+    /** Runs one slice after the other. */
+    static final MethodName SLICES = new MethodName(ROBOT, "runSlices", "(Larcomat/rt/Cycle;)V");
 
     /**
      * The method that the machine calls.

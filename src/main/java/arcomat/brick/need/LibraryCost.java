@@ -21,6 +21,7 @@ final class LibraryCost {
 
     private final Map<String, Long> objects = new HashMap<>();
     private final Map<String, Long> calls = new HashMap<>();
+    private final Map<String, Long> idle = new HashMap<>();
     private final Set<String> waits = new HashSet<>();
     private final Map<String, Long> loops = new HashMap<>();
 
@@ -44,6 +45,7 @@ final class LibraryCost {
             case "class" -> classes.put(words[1], Long.parseLong(words[2]));
             case "new" -> objects.put(words[1], Long.parseLong(words[2]));
             case "call" -> calls.put(words[1], Long.parseLong(words[2]));
+            case "idle" -> idle.put(words[1], Long.parseLong(words[2]));
             case "waits" -> waits.add(words[1]);
             case "loops" -> loops.put(words[1], Long.parseLong(words[2]));
             case DEFAULT ->
@@ -70,6 +72,11 @@ final class LibraryCost {
     /** What is known of a method besides its code: microseconds. */
     OptionalLong measured(MethodName method) {
         return find(calls, method);
+    }
+
+    /** For how much of that time a method leaves the processor to others, in microseconds. */
+    long idle(MethodName method) {
+        return find(idle, method).orElse(0);
     }
 
     /** How long a method of leJOS takes, in microseconds. */

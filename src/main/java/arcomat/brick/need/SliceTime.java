@@ -14,8 +14,9 @@ import java.util.HashSet;
 import java.util.Set;
 
 /**
- * How long a slice takes at most. While it runs, the thread of leJOS that regulates the motors
- * interrupts it every four milliseconds, for a time that grows with the number of motors.
+ * How long a slice takes at most. While it computes, the thread of leJOS that regulates the motors
+ * interrupts it every four milliseconds, for a time that grows with the number of motors; while it
+ * waits for a sensor on a bus, only the last such interruption can make it longer.
  */
 record SliceTime(Code code, LibraryCost library, Entry entry) {
 
@@ -40,14 +41,14 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
     long worst() {
         MethodNode slices = entry.slices();
         refuseThreads();
-        Times times = new Times(code, library);
-        long alone = 0;
-        for (AbstractInsnNode each : slices.instructions) {
-            alone = Math.addExact(alone, times.of(each));
-        }
         long motors = motors();
         long regulation = motors == 0 ? 0 : REGULATION_ITSELF + REGULATION_OF_A_MOTOR * motors;
-        return Math.multiplyExact(alone, REGULATION) / (REGULATION - regulation);
+        Times times = new Times(code, library, regulation);
+        long parts = 0;
+        for (AbstractInsnNode each : slices.instructions) {
+            parts = Math.addExact(parts, times.of(each));
+        }
+        return parts / (REGULATION - regulation);
     }
 
     private void refuseThreads() {
@@ -79,10 +80,20 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
         }
     }
 
-    /** How long methods take at most, in microseconds. */
+    /**
+     * How long methods take at most, in parts of a microsecond. Regulation lets a program compute
+     * for some of these parts of each microsecond. What waits for a bus waits on meanwhile, and
+     * goes on when the regulation has ended that runs at the end of the wait.
+     */
     private static final class Times extends MethodWeights {
-        Times(Code code, LibraryCost library) {
+        private final long regulation;
+
+        /**
+         * @param regulation in which the program does not compute, of {@link #REGULATION}
+         */
+        Times(Code code, LibraryCost library, long regulation) {
             super(code, library);
+            this.regulation = regulation;
         }
 
         @Override
@@ -95,14 +106,17 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
             if (instruction.getOpcode() < 0) {
                 return 0; // a label or a line
             }
-            return instruction instanceof MethodInsnNode
-                    ? BrickCost.MICROSECONDS_PER_CALL
-                    : BrickCost.MICROSECONDS_PER_BYTECODE;
+            return REGULATION
+                    * (instruction instanceof MethodInsnNode
+                            ? BrickCost.MICROSECONDS_PER_CALL
+                            : BrickCost.MICROSECONDS_PER_BYTECODE);
         }
 
         @Override
         protected long ofLibrary(MethodName method) {
-            return library.time(method);
+            long idle = library.idle(method);
+            long wait = idle == 0 ? 0 : idle + regulation;
+            return (REGULATION - regulation) * wait + REGULATION * (library.time(method) - idle);
         }
     }
 

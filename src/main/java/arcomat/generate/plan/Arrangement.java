@@ -27,7 +27,7 @@ import java.util.stream.Stream;
  * How the parts of a composite are ordered and held. Usually each is a field, in the order of the
  * schedule. Where many are of one component, they share arrays and are served by loops: code for
  * each of them would be more than a processor keeps at hand. A target asks for that by the entry
- * {@code element}.
+ * {@code element}, and for sections of event-driven parts by the entry {@code networks}.
  *
  * <p>Parts that neither draw nor fail may then leave the schedule's order, which nobody can
  * observe, for one that needs less code.
@@ -55,11 +55,23 @@ public final class Arrangement {
     static Arrangement of(FileContext context, Program program) {
         Composition schedule = context.composition().orElseThrow();
         if (context.isEventDriven()) {
-            return new Arrangement(context, plain(schedule), Sections.NONE);
+            return new Arrangement(context, plain(schedule), sections(context, schedule));
         }
         Draft best = isRepetitive(context) ? best(context, program) : plain(schedule);
         Draft draft = best.stretches().isEmpty() ? plain(schedule) : best;
         return new Arrangement(context, draft, Sections.of(draft.units(), context.members()));
+    }
+
+    /** Of event-driven parts, where a target asks for that. */
+    private static Sections sections(FileContext context, Composition schedule) {
+        if (context.names().language().entry("networks").isEmpty()) {
+            return Sections.NONE;
+        }
+        return Sections.of(
+                IntStream.range(0, schedule.nodes().size())
+                        .mapToObj(node -> new Sections.Unit(node, node + 1, 0))
+                        .toList(),
+                context.members());
     }
 
     private static boolean isRepetitive(FileContext context) {
@@ -174,6 +186,25 @@ public final class Arrangement {
                 : element(holder, "" + (node - holder.first()));
     }
 
+    /**
+     * What leads from one section to a node.
+     *
+     * @param here null in the class of the composite
+     * @param whole the field by which a section knows the composite
+     */
+    public String object(int node, Sections.@Nullable Section here, String whole) {
+        return leading(node, here, whole) + object(node);
+    }
+
+    /** The same up to the class that holds the node; with a dot at its end where it is another. */
+    public String leading(int node, Sections.@Nullable Section here, String whole) {
+        Sections.Section there = sections.of(node);
+        if (there == null || there == here) {
+            return "";
+        }
+        return (here == null ? "" : whole + ".") + there.path() + ".";
+    }
+
     public String element(Stretch stretch, String index) {
         return context.names()
                 .language()
@@ -184,9 +215,7 @@ public final class Arrangement {
     public Map<String, String> paths() {
         Map<String, String> paths = new LinkedHashMap<>();
         for (int node = 0; node < holders.length; node++) {
-            Sections.Section section = sections.of(node);
-            String above = section == null ? "" : section.path() + ".";
-            paths.put(composition().nodes().get(node).path(), above + object(node));
+            paths.put(composition().nodes().get(node).path(), object(node, null, ""));
         }
         return paths;
     }

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  */
 public final class Sections {
     /** Where a composite holds its parts itself. */
-    static final Sections NONE = new Sections(List.of(), 0);
+    public static final Sections NONE = new Sections(List.of(), 0);
 
     private static final int MOST_MEMBERS = 100;
 

@@ -106,15 +106,11 @@ public final class CompositeViews {
         }
 
         void addSections(List<Sections.Section> inner, String self) {
-            List<String> arguments = new ArrayList<>(List.of(self));
-            if (head.draws()) {
-                arguments.add(Arrangement.choice(context));
-            }
-            head.parameters().stream().map(FieldView::name).forEach(arguments::add);
+            String arguments = argumentsOfSection(self, head, Arrangement.choice(context));
             for (Sections.Section section : inner) {
                 String field = section.field();
                 String type = type(section).name();
-                members.add(PartView.single(type, field, String.join(", ", arguments), ""));
+                members.add(PartView.single(type, field, arguments, ""));
                 if (senses(section)) {
                     sensors.add(field);
                 }
@@ -191,6 +187,21 @@ public final class CompositeViews {
     private boolean senses(Sections.Section section) {
         return composition.nodes().subList(section.first(), section.end()).stream()
                 .anyMatch(node -> program.senses(node.component()));
+    }
+
+    /**
+     * What the constructor of a section is called with.
+     *
+     * @param self the composite
+     * @param choice the generator of choices
+     */
+    static String argumentsOfSection(String self, HeadView head, String choice) {
+        List<String> arguments = new ArrayList<>(List.of(self));
+        if (head.draws()) {
+            arguments.add(choice);
+        }
+        head.parameters().stream().map(FieldView::name).forEach(arguments::add);
+        return String.join(", ", arguments);
     }
 
     static PartView part(FileContext context, Program program, Composition.Node node) {

@@ -78,7 +78,8 @@ final class Copies {
         int start = from.node() - senders.first() - stride * (run.first() - receivers.first());
         String element = arrangement.element(senders, linear(stride, index, start));
         Component sending = composition.nodes().get(from.node()).component();
-        String object = locals.sender(sending, leading(from.node(), here) + element);
+        String leading = arrangement.leading(from.node(), here, whole);
+        String object = locals.sender(sending, leading + element);
         return copy(sender(from, object), receiver);
     }
 
@@ -103,7 +104,7 @@ final class Copies {
                     return copy(new End(object, composition.component(), outside.port()), receiver);
                 },
                 from -> {
-                    String object = leading(from.node(), here) + arrangement.object(from.node());
+                    String object = arrangement.object(from.node(), here, whole);
                     return copy(sender(from, object), receiver);
                 },
                 () -> Copy.NONE);
@@ -111,15 +112,6 @@ final class Copies {
 
     private End sender(Source.FromNode from, String object) {
         return new End(object, composition.nodes().get(from.node()).component(), from.port());
-    }
-
-    /** From one section to the place of a node. */
-    private String leading(int node, Sections.@Nullable Section here) {
-        Sections.Section there = arrangement.sections().of(node);
-        if (there == null || there == here) {
-            return "";
-        }
-        return (here == null ? "" : whole + ".") + there.path() + ".";
     }
 
     private Copy copy(End sender, End receiver) {

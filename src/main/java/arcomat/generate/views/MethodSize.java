@@ -14,6 +14,10 @@ import java.util.List;
  */
 public final class MethodSize {
     static final int MOST = 6000;
+
+    /** Calls with an object that is reached by three fields, in {@link #MOST} bytes. */
+    static final int MOST_CALLS = 300;
+
     private static final int PER_WORD = 8;
     private static final int PER_TRANSITION = 24;
     private static final int PER_STATE = 12;

@@ -152,6 +152,25 @@ class NeedsTest {
         assertThat(time(needs(three))).isGreaterThan(none * 3 / 2).isLessThan(none * 2);
     }
 
+    /** Regulation takes its share of what computes; of a wait, only what runs at its end counts. */
+    @Test
+    void aWaitForABusIsHardlyLongerWhileMotorsTurn() throws IOException {
+        String sonar = "lejos.nxt.UltrasonicSensor sonar;";
+        long wait = 4600;
+        long computing = time("sonar.getDistance();", sonar) - wait;
+        long turning =
+                time(needs(turning("sonar.getDistance();", sonar)))
+                        - time(needs(turning("", sonar)));
+        long expected = wait + 600 + computing * 4000 / 3400;
+
+        assertThat(computing).isPositive();
+        assertThat(turning).isBetween(expected - 1, expected + 1);
+    }
+
+    private static String turning(String slice, String members) {
+        return robot(slice, members).replace("start() {", "start() { new arcomat.nxt.Shaft(1);");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '#',
@@ -242,6 +261,33 @@ class NeedsTest {
         long made = memory(needs(robot("new long[100].clone();"))) - memory(needs(robot("")));
 
         assertThat(made).isBetween(804L, 870L);
+    }
+
+    /** As programs that are driven by events do: however many wait, none of them makes anything. */
+    @Test
+    void aSliceThatGoesOnUntilNothingWaitsMakesNothing() throws IOException {
+        String react =
+                "boolean react() { if (n == 0) return false; n--; note(\"some port\"); return true;"
+                        + " } void note(String text) {}";
+        long made = memory(needs(robot("while (react()) {}", react))) - memory(needs(robot("")));
+
+        assertThat(made).isBetween(0L, 120L);
+        assertThat(needs(robot("while (react()) { new Object(); }", react)).memory().unknown())
+                .hasValue("a loop may go round any number of times in Bot.slice");
+    }
+
+    @Test
+    void aListenerHasAThreadWithAStack() throws IOException {
+        String listener =
+                "static class Ear implements lejos.nxt.ButtonListener { public void"
+                        + " buttonPressed(lejos.nxt.Button key) { %s } public void"
+                        + " buttonReleased(lejos.nxt.Button key) {} }";
+        long none = memory(needs(robot("", "static class Ear {}")));
+        long idle = memory(needs(robot("", listener.formatted("")))) - none;
+        long made = memory(needs(robot("", listener.formatted("new long[10].clone();")))) - none;
+
+        assertThat(idle).isBetween(52L + 12 + 20, 52L + 12 + 100 + 100);
+        assertThat(made - idle).isBetween(84L, 84L + 6 * 20 + 40 * 4 + 20);
     }
 
     @ParameterizedTest

@@ -25,10 +25,10 @@ class CoffeeNeedsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "fetcher.Fetcher, 114, 4.3, 9.8, 18",
-        "dispenser.Dispenser, 110, 4.1, 6.7, 18",
+        "fetcher.Fetcher, 114, 4.3, 9.8, 10",
+        "dispenser.Dispenser, 110, 4.1, 6.7, 15",
         "preparer.Preparer, 108, 3.9, 1.8, 21",
-        "floor.Courier, 139, 6.5, 14, 17",
+        "floor.Courier, 139, 6.5, 14, 8",
         "floor.Barista, 121, 6.1, 1.8, 30"
     })
     void isWhatWasMeasured(

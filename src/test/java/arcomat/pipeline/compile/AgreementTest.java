@@ -14,6 +14,7 @@ import arcomat.symbols.Scenario;
 import arcomat.symbols.Workspace;
 
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
@@ -46,6 +47,7 @@ class AgreementTest {
         assertThat(agreement.holds(200, LETTERS).transitionsTaken()).hasSizeGreaterThan(8);
     }
 
+    @Tag("some-slow")
     @TestFactory
     Stream<DynamicTest> onTheModelsOfTheFolder() {
         return Scenario.in("agreement").stream().flatMap(file -> agreement(model(file), 40));

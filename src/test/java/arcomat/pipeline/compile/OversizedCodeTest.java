@@ -19,8 +19,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -60,8 +62,103 @@ class OversizedCodeTest {
         return model("Wide", ports, "s {a == 1} / {" + list(count, "b%d = 1") + "};");
     }
 
+    /**
+     * @param timing of a cell and of the whole
+     * @param ports of the whole
+     * @param parts and connectors of the whole
+     */
+    private static Component whole(String timing, String ports, String parts) {
+        String text =
+                """
+                ==== Cell.arc
+                component Cell(Integer k) {
+                  timing %s;
+                  port in Integer a, out Integer b;
+                  <<completion = "ignore">> automaton {
+                    state s;
+                    initial s;
+                    s {a = ?} / {b = k};
+                  }
+                }
+                ==== Whole.arc
+                component Whole {
+                  timing %s;
+                  port %s;
+                  %s
+                }
+                """;
+        return Lowering.lower(Scenario.of(text.formatted(timing, timing, ports, parts)).workspace())
+                .component("Whole")
+                .orElseThrow();
+    }
+
+    private static String lines(int count, IntFunction<String> each) {
+        return IntStream.range(0, count).mapToObj(each).collect(Collectors.joining("\n"));
+    }
+
+    /** Each port of the whole is that of the one part, so that copies are all that there is. */
+    private static Component ports(String timing, int count) {
+        return whole(
+                timing,
+                "in Integer a, " + list(count, "out Integer b%d"),
+                "component Cell(1) c; connect a -> c.a;"
+                        + lines(count, i -> "connect c.b -> b" + i + ";"));
+    }
+
+    private static Component chain(int parts) {
+        return whole(
+                "untimed",
+                "in Integer a, out Integer b",
+                lines(parts, i -> "component Cell(" + i + ") c" + i + ";")
+                        + "connect a -> c0.a;"
+                        + lines(parts - 1, i -> "connect c" + i + ".b -> c" + (i + 1) + ".a;")
+                        + "connect c"
+                        + (parts - 1)
+                        + ".b -> b;");
+    }
+
+    private static Component star(int parts) {
+        return whole(
+                "untimed",
+                "in Integer a, out Integer b",
+                lines(parts, i -> "component Cell(1) c" + i + "; connect a -> c" + i + ".a;"));
+    }
+
+    /** What is many is spread over methods and classes. */
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"delayed", "instant"})
+    void compositesWithThousandsOfPorts(String timing) {
+        assertThat(findings(ports(timing, 3_500))).isEmpty();
+    }
+
+    @Tag("slow")
+    @Test
+    void compositesOfThousandsOfEventDrivenParts() {
+        assertThat(findings(chain(5_500))).isEmpty();
+        assertThat(findings(star(5_500))).isEmpty();
+    }
+
+    @Test
+    void aFewHundredEventDrivenPartsLiveInSections() {
+        assertThat(files(chain(100))).containsExactlyInAnyOrder("Cell", "Whole");
+        assertThat(files(chain(101)))
+                .containsExactlyInAnyOrder("Cell", "Whole", "WholeSection0", "WholeSection1");
+        assertThat(findings(chain(250))).isEmpty();
+        assertThat(findings(star(700))).isEmpty();
+    }
+
+    private static List<String> files(Component whole) {
+        return Generator.generate(Request.library(whole, Choosing.FIRST), JVM).files().stream()
+                .map(file -> file.path().replaceAll(".*/|\\.java", ""))
+                .toList();
+    }
+
     private static List<String> findings(Model model) {
-        Component component = model.components().get(0);
+        return findings(model.components().get(0));
+    }
+
+    private static List<String> findings(Component component) {
         Generation generation = Generator.generate(Request.library(component, Choosing.FIRST), JVM);
         assertThat(generation.findings()).isEmpty();
         return OversizedCode.in(generation).stream().map(OversizedCodeTest::shown).toList();
