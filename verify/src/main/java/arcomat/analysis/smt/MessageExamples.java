@@ -2,6 +2,7 @@ package arcomat.analysis.smt;
 
 import arcomat.analysis.bits.Thresholds;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.PartialEvaluation;
@@ -149,9 +150,15 @@ public final class MessageExamples {
     }
 
     private List<Value[]> withoutStored() {
-        return facts.stream().anyMatch(DataFact.Stored.class::isInstance)
+        return facts.stream().anyMatch(MessageExamples::storesObject)
                 ? of(ports, facts.stream().map(MessageExamples::withoutStored).toList(), stop).rows
                 : List.of();
+    }
+
+    /** Numbers are told apart near to what conditions mention before solvers are asked. */
+    private static boolean storesObject(DataFact fact) {
+        return fact instanceof DataFact.Stored stored
+                && stored.value().type() instanceof Type.ClassType;
     }
 
     private static DataFact withoutStored(DataFact fact) {

@@ -20,9 +20,7 @@ import java.util.stream.Stream;
 record SmallExamples(List<Port> ports, List<DataFact> facts) {
     private static final int ROWS = 2_000;
     private static final int BESIDE = 2;
-
-    /** So many objects of a class are tried. */
-    private static final int OBJECTS = 30;
+    private static final Ends ENDS = new Ends();
 
     List<Value[]> rows() {
         List<List<Value>> columns = ports.stream().map(port -> values(port.type())).toList();
@@ -56,51 +54,9 @@ record SmallExamples(List<Port> ports, List<DataFact> facts) {
             reals(real).filter(type::has).forEach(values::add);
         } else {
             mentioned().stream().filter(type::has).forEach(values::add);
-        }
-        if (type instanceof Type.ClassType objects) {
-            values.addAll(corners(objects));
+            values.addAll(type.match(ENDS));
         }
         return List.copyOf(values);
-    }
-
-    /** Objects whose attributes have the first value of their type, or one of its ends. */
-    private static List<Value> corners(Type.ClassType type) {
-        List<List<Value>> objects = List.of(List.of());
-        for (Type.Attribute attribute : type.attributes()) {
-            List<Value> ends = ends(attribute.type());
-            List<List<Value>> longer = new ArrayList<>();
-            for (List<Value> object : objects) {
-                for (Value value : areMany(objects, ends) ? ends.subList(0, 1) : ends) {
-                    List<Value> more = new ArrayList<>(object);
-                    more.add(value);
-                    longer.add(more);
-                }
-            }
-            objects = longer;
-        }
-        return objects.stream()
-                .<Value>map(attributes -> new Value.ObjectValue(type, attributes))
-                .toList();
-    }
-
-    private static boolean areMany(List<List<Value>> objects, List<Value> ends) {
-        return objects.size() * ends.size() > OBJECTS;
-    }
-
-    private static List<Value> ends(Type type) {
-        Set<Value> ends = new LinkedHashSet<>();
-        ends.add(type.first());
-        if (type instanceof Type.IntegerType integer) {
-            add(integer, integer.high(), ends);
-            add(integer, integer.low(), ends);
-        } else if (type instanceof Type.RealType real) {
-            double end = real.below(Double.POSITIVE_INFINITY);
-            ends.add(new Value.RealValue(end));
-            ends.add(new Value.RealValue(-end));
-        } else if (type instanceof Type.ClassType objects) {
-            ends.addAll(corners(objects));
-        }
-        return List.copyOf(ends);
     }
 
     /** Where rounding begins, too: next to what is mentioned, and at the ends of all numbers. */
