@@ -70,31 +70,10 @@ final class MessageReads {
     }
 
     private Presence findPresence(TypedExpression expression) {
-        if (expression instanceof TypedExpression.PortRead read) {
-            return maySilence(read.port()) ? Presence.of(Set.of(read.port())) : Presence.NONE;
-        }
-        if (expression instanceof TypedExpression.Absence absence) {
-            Set<PortSymbol> port = Set.of(absence.port());
-            Presence there = new Presence(Set.of(), port, Set.of());
-            return absence.node().present() ? there : there.negated();
-        }
-        if (expression instanceof TypedExpression.VariableRead read) {
-            return held.apply(read.variable()).presence();
-        }
-        if (expression instanceof TypedExpression.Unary unary) {
-            Presence operand = presence(unary.operand());
-            return unary.node().operator() == UnaryOperator.NOT ? operand.negated() : operand;
-        }
-        if (expression instanceof TypedExpression.Binary binary) {
-            return presence(binary);
-        }
-        if (expression instanceof TypedExpression.Conditional choice) {
-            return presence(choice);
-        }
-        return Presence.of(ofAll(expression.parts()));
+        return expression.match(new Presences());
     }
 
-    private Presence presence(TypedExpression.Binary binary) {
+    private Presence ofBinary(TypedExpression.Binary binary) {
         Presence left = presence(binary.left());
         Presence right = presence(binary.right());
         return switch (binary.node().operator()) {
@@ -105,7 +84,7 @@ final class MessageReads {
         };
     }
 
-    private Presence presence(TypedExpression.Conditional choice) {
+    private Presence ofChoice(TypedExpression.Conditional choice) {
         Presence condition = presence(choice.condition());
         Presence branches = presence(choice.then()).either(presence(choice.otherwise()));
         return new Presence(
@@ -163,17 +142,29 @@ final class MessageReads {
     }
 
     private void collect(TypedExpression expression, Set<PortSymbol> there, Set<PortSymbol> found) {
-        if (expression instanceof TypedExpression.PortRead read) {
-            if (maySilence(read.port()) && !there.contains(read.port())) {
-                found.add(read.port());
-            }
-        } else if (expression instanceof TypedExpression.VariableRead read) {
-            held.apply(read.variable()).unguarded().stream()
-                    .filter(port -> !there.contains(port))
-                    .forEach(found::add);
+        if (expression.parts().isEmpty()) {
+            Set<PortSymbol> needed = new LinkedHashSet<>(neededByLeaf(expression));
+            needed.removeAll(there);
+            found.addAll(needed);
         } else if (expression instanceof TypedExpression.Binary binary) {
             collect(binary, there, found);
-        } else if (expression instanceof TypedExpression.Conditional choice) {
+        } else {
+            collectParts(expression, there, found);
+        }
+    }
+
+    private Set<PortSymbol> neededByLeaf(TypedExpression leaf) {
+        if (leaf instanceof TypedExpression.VariableRead read) {
+            return held.apply(read.variable()).unguarded();
+        }
+        return leaf instanceof TypedExpression.PortRead read && maySilence(read.port())
+                ? Set.of(read.port())
+                : Set.of();
+    }
+
+    private void collectParts(
+            TypedExpression expression, Set<PortSymbol> there, Set<PortSymbol> found) {
+        if (expression instanceof TypedExpression.Conditional choice) {
             Presence condition = presence(choice.condition());
             collect(choice.condition(), there, found);
             collect(choice.then(), Presence.all(there, condition.whenTrue()), found);
@@ -207,5 +198,84 @@ final class MessageReads {
 
     private static boolean maySilence(PortSymbol port) {
         return port.isInput() && !port.isTotal() && port.first().isEmpty();
+    }
+
+    /** What the value of each form of expression tells. */
+    private final class Presences implements TypedExpression.Cases<Presence> {
+        private Presence ofParts(TypedExpression expression) {
+            return Presence.of(ofAll(expression.parts()));
+        }
+
+        @Override
+        public Presence literal(TypedExpression.Literal literal) {
+            return Presence.NONE;
+        }
+
+        @Override
+        public Presence constant(TypedExpression.Constant constant) {
+            return Presence.NONE;
+        }
+
+        @Override
+        public Presence portRead(TypedExpression.PortRead read) {
+            return maySilence(read.port()) ? Presence.of(Set.of(read.port())) : Presence.NONE;
+        }
+
+        @Override
+        public Presence variableRead(TypedExpression.VariableRead read) {
+            return held.apply(read.variable()).presence();
+        }
+
+        @Override
+        public Presence parameterRead(TypedExpression.ParameterRead read) {
+            return Presence.NONE;
+        }
+
+        @Override
+        public Presence attributeRead(TypedExpression.AttributeRead read) {
+            return ofParts(read);
+        }
+
+        @Override
+        public Presence unary(TypedExpression.Unary unary) {
+            Presence operand = presence(unary.operand());
+            return unary.node().operator() == UnaryOperator.NOT ? operand.negated() : operand;
+        }
+
+        @Override
+        public Presence binary(TypedExpression.Binary binary) {
+            return ofBinary(binary);
+        }
+
+        @Override
+        public Presence conditional(TypedExpression.Conditional choice) {
+            return ofChoice(choice);
+        }
+
+        @Override
+        public Presence membership(TypedExpression.Membership membership) {
+            return ofParts(membership);
+        }
+
+        @Override
+        public Presence absence(TypedExpression.Absence absence) {
+            Presence there = new Presence(Set.of(), Set.of(absence.port()), Set.of());
+            return absence.node().present() ? there : there.negated();
+        }
+
+        @Override
+        public Presence cast(TypedExpression.Cast cast) {
+            return ofParts(cast);
+        }
+
+        @Override
+        public Presence newObject(TypedExpression.NewObject newObject) {
+            return ofParts(newObject);
+        }
+
+        @Override
+        public Presence erroneous(TypedExpression.Erroneous erroneous) {
+            return ofParts(erroneous);
+        }
     }
 }

@@ -225,9 +225,12 @@ public final class SilenceStaysInBranch implements Check.OnActions {
                     default -> false;
                 };
             }
+            return condition instanceof Expression.Let || reachesFar(condition);
+        }
+
+        private static boolean reachesFar(Expression condition) {
             return condition instanceof Expression.Conditional
-                    || condition instanceof Expression.Quantified
-                    || condition instanceof Expression.Let;
+                    || condition instanceof Expression.Quantified;
         }
     }
 }
