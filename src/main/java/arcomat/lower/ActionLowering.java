@@ -32,7 +32,15 @@ final class ActionLowering implements ActionSymbol.Cases<List<ActionPath>> {
      * @return the ways through the statements; the conditions of two of them exclude each other
      */
     static List<ActionPath> lower(ActionSymbol actions, Environment environment) {
-        return actions.match(new ActionLowering(environment, List.of(ActionPath.EMPTY)));
+        List<String> order =
+                actions.items().stream()
+                        .flatMap(item -> item.target().found().stream())
+                        .map(ValueSymbol::name)
+                        .distinct()
+                        .toList();
+        return actions.match(new ActionLowering(environment, List.of(ActionPath.EMPTY))).stream()
+                .map(path -> path.inOrder(order))
+                .toList();
     }
 
     @Override

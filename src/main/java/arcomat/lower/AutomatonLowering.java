@@ -3,6 +3,7 @@ package arcomat.lower;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Statement;
 import arcomat.model.Variable;
 import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
@@ -84,38 +85,55 @@ final class AutomatonLowering {
 
     /** Several where statements choose: one for each way through them. */
     private Stream<Automaton.Transition> transitions(TransitionSymbol transition) {
-        if (transition.actions().isEmpty()) {
-            List<ItemSymbol> output = transition.output();
-            return Stream.of(transition(transition, List.of(), sends(output), assignments(output)));
-        }
-        return paths(transition.actions().get()).stream()
-                .map(
-                        path ->
-                                transition(
-                                        transition,
-                                        path.conditions(),
-                                        path.sent(),
-                                        path.assignments()));
-    }
-
-    /**
-     * @param conditions that have to be true besides the guard
-     */
-    private Automaton.Transition transition(
-            TransitionSymbol transition,
-            List<Expression> conditions,
-            List<Automaton.Send> sends,
-            List<Automaton.Assignment> assignments) {
         TransitionCondition demand = demand(transition);
-        List<Automaton.Match> matches = demand.matches();
         List<Expression> guards = new ArrayList<>(demand.guards());
         guards.addAll(turns.denials(transition.node(), demand));
-        guards.addAll(conditions);
+        if (transition.actions().isEmpty()) {
+            List<ItemSymbol> output = transition.output();
+            Optional<Expression> guard = conjunction(guards);
+            return Stream.of(
+                    transition(transition, demand, guard, sends(output), assignments(output)));
+        }
+        ActionSymbol actions = transition.actions().get();
+        List<ActionPath> paths = paths(actions);
+        Statement statement = StatementLowering.lower(actions, environment);
+        Automaton.Body body =
+                new Automaton.Body(
+                        conjunction(guards),
+                        demand.matches(),
+                        statement,
+                        paths.size(),
+                        statement.ways() == paths.size());
+        return paths.stream()
+                .map(path -> transition(transition, demand, guards, path))
+                .map(each -> paths.size() == 1 ? each : each.of(body));
+    }
+
+    private Automaton.Transition transition(
+            TransitionSymbol transition,
+            TransitionCondition demand,
+            List<Expression> guards,
+            ActionPath path) {
+        List<Expression> all = new ArrayList<>(guards);
+        all.addAll(path.conditions());
+        return transition(transition, demand, conjunction(all), path.sent(), path.assignments());
+    }
+
+    private static Optional<Expression> conjunction(List<Expression> guards) {
+        return guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards));
+    }
+
+    private static Automaton.Transition transition(
+            TransitionSymbol transition,
+            TransitionCondition demand,
+            Optional<Expression> guard,
+            List<Automaton.Send> sends,
+            List<Automaton.Assignment> assignments) {
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
                 transition.target().orElseThrow().index(),
-                guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards)),
-                matches,
+                guard,
+                demand.matches(),
                 sends,
                 assignments,
                 transition.node().rank(),

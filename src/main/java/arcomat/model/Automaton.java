@@ -170,6 +170,7 @@ public record Automaton(
      * Matches, guard, sends and assignments read the configuration before the step.
      *
      * @param rank it may be taken only where none out of the same state with a smaller one could be
+     * @param body the statements that it is a way through, where statements choose
      */
     public record Transition(
             int source,
@@ -179,11 +180,25 @@ public record Automaton(
             List<Send> sends,
             List<Assignment> assignments,
             int rank,
+            Optional<Body> body,
             Span span) {
         public Transition {
             matches = List.copyOf(matches);
             sends = List.copyOf(sends);
             assignments = List.copyOf(assignments);
+        }
+
+        /** Without statements. */
+        public Transition(
+                int source,
+                int target,
+                Optional<Expression> guard,
+                List<Match> matches,
+                List<Send> sends,
+                List<Assignment> assignments,
+                int rank,
+                Span span) {
+            this(source, target, guard, matches, sends, assignments, rank, Optional.empty(), span);
         }
 
         /** Among the first ones. */
@@ -221,9 +236,44 @@ public record Automaton(
                     span);
         }
 
+        /** The same as one that stands for statements. */
+        public Transition of(Body statements) {
+            return new Transition(
+                    source,
+                    target,
+                    guard,
+                    matches,
+                    sends,
+                    assignments,
+                    rank,
+                    Optional.of(statements),
+                    span);
+        }
+
         public Transition withRank(int otherRank) {
             return new Transition(
                     source, target, guard, matches, sends, assignments, otherRank, span);
+        }
+    }
+
+    /**
+     * Statements that choose, as they are written. The transitions that stand for them say the same
+     * and follow each other; whoever changes one of them says something else, and leaves it out.
+     *
+     * @param guard what is asked besides what the statements ask
+     * @param statement what is done
+     * @param ways how many transitions stand for it
+     * @param numbered whether these are all ways through it, those by the first branch of a choice
+     *     before those by the other one
+     */
+    public record Body(
+            Optional<Expression> guard,
+            List<Match> matches,
+            Statement statement,
+            int ways,
+            boolean numbered) {
+        public Body {
+            matches = List.copyOf(matches);
         }
     }
 

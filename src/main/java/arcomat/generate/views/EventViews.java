@@ -47,7 +47,7 @@ public final class EventViews {
         MemberNames members = context.members();
         return new EventView(
                 head,
-                new AtomicViews(context, plan).view(head, program.traced()),
+                new AtomicViews(context, plan, program.traced()).view(head),
                 inputs,
                 outputs,
                 context.component().queueCapacity(),

@@ -197,7 +197,8 @@ public final class Guards {
         }
     }
 
-    private Expression isTrue(Expression guard) {
+    /** That a condition has a value, which is true. */
+    Expression isTrue(Expression guard) {
         return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
     }
 
