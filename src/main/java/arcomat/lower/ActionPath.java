@@ -84,6 +84,14 @@ record ActionPath(
         return new ActionPath(conditions, ordered, locals, sends);
     }
 
+    /** All that it asks, assigns and sends. */
+    List<Expression> expressions() {
+        List<Expression> all = new ArrayList<>(conditions);
+        all.addAll(values.values());
+        sends.values().forEach(send -> all.addAll(send.emission().values()));
+        return all;
+    }
+
     List<Automaton.Assignment> assignments() {
         return values.entrySet().stream()
                 .filter(each -> !locals.contains(each.getKey()))

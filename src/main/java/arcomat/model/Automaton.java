@@ -236,6 +236,11 @@ public record Automaton(
                     span);
         }
 
+        /** Whether what it does is said by statements alone; it sends and assigns nothing else. */
+        public boolean isWhole() {
+            return body.filter(each -> each.standing() == Standing.WHOLE).isPresent();
+        }
+
         /** The same as one that stands for statements. */
         public Transition of(Body statements) {
             return new Transition(
@@ -257,24 +262,37 @@ public record Automaton(
     }
 
     /**
-     * Statements that choose, as they are written. The transitions that stand for them say the same
-     * and follow each other; whoever changes one of them says something else, and leaves it out.
+     * Statements as they are written. The transitions that stand for them say the same and follow
+     * each other; whoever changes one of them says something else, and leaves it out.
      *
      * @param guard what is asked besides what the statements ask
      * @param statement what is done
-     * @param ways how many transitions stand for it
-     * @param numbered whether these are all ways through it, those by the first branch of a choice
-     *     before those by the other one
+     * @param transitions how many stand for it
      */
     public record Body(
             Optional<Expression> guard,
             List<Match> matches,
             Statement statement,
-            int ways,
-            boolean numbered) {
+            int transitions,
+            Standing standing) {
         public Body {
             matches = List.copyOf(matches);
         }
+
+        /** Whether it has one transition for each way, numbered by the choices on the way. */
+        public boolean isNumbered() {
+            return standing == Standing.WAYS && statement.ways() == transitions;
+        }
+    }
+
+    /** How transitions stand for statements. */
+    public enum Standing {
+        /** Each for a way that may be gone, those by the first branch of a choice before others. */
+        WAYS,
+        /** Each for ways that send on the same ports; values say which of them is gone. */
+        JOINED,
+        /** One for all ways: what it sends and assigns is said by its statements alone. */
+        WHOLE
     }
 
     /**

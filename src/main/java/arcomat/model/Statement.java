@@ -1,6 +1,7 @@
 package arcomat.model;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** A statement of an effect: what is done after the statement before it. */
 public sealed interface Statement {
@@ -14,6 +15,14 @@ public sealed interface Statement {
     default long ways() {
         return 1;
     }
+
+    /** What is sent in it, whether or not it comes to that. */
+    default List<Automaton.Send> sends() {
+        return List.of();
+    }
+
+    /** All expressions in it. */
+    List<Expression> expressions();
 
     /**
      * One answer for each form.
@@ -44,6 +53,16 @@ public sealed interface Statement {
         }
 
         @Override
+        public List<Automaton.Send> sends() {
+            return statements.stream().flatMap(each -> each.sends().stream()).toList();
+        }
+
+        @Override
+        public List<Expression> expressions() {
+            return statements.stream().flatMap(each -> each.expressions().stream()).toList();
+        }
+
+        @Override
         public long ways() {
             long ways = 1;
             for (Statement each : statements) {
@@ -59,6 +78,11 @@ public sealed interface Statement {
         public <R> R match(Cases<R> cases) {
             return cases.declare(this);
         }
+
+        @Override
+        public List<Expression> expressions() {
+            return List.of(local.initial());
+        }
     }
 
     /** A variable of the automaton, or a local one, gets a value. */
@@ -66,6 +90,11 @@ public sealed interface Statement {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.assign(this);
+        }
+
+        @Override
+        public List<Expression> expressions() {
+            return List.of(value);
         }
     }
 
@@ -75,6 +104,16 @@ public sealed interface Statement {
         public <R> R match(Cases<R> cases) {
             return cases.send(this);
         }
+
+        @Override
+        public List<Automaton.Send> sends() {
+            return List.of(send);
+        }
+
+        @Override
+        public List<Expression> expressions() {
+            return send.emission().values();
+        }
     }
 
     /** One of two statements; one that is not there is an empty sequence. */
@@ -82,6 +121,21 @@ public sealed interface Statement {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.choose(this);
+        }
+
+        @Override
+        public List<Automaton.Send> sends() {
+            return Stream.concat(then.sends().stream(), otherwise.sends().stream()).toList();
+        }
+
+        @Override
+        public List<Expression> expressions() {
+            return Stream.of(
+                            List.of(condition).stream(),
+                            then.expressions().stream(),
+                            otherwise.expressions().stream())
+                    .flatMap(each -> each)
+                    .toList();
         }
 
         @Override

@@ -131,7 +131,7 @@ public record AutomatonPlan(
                         context.isEventDriven()
                                 ? Procedure.Form.AT_THE_END
                                 : Procedure.Form.AT_ONCE,
-                        traced && body.ways() > 1),
+                        traced && body.isNumbered()),
                 group.transitions());
     }
 
@@ -140,6 +140,9 @@ public record AutomatonPlan(
             Component component, Automaton automaton, Blocks.Group group, Optional<Block> block) {
         Guards guards = new Guards(component.profile());
         Automaton.Transition first = group.transitions().get(0);
+        if (block.isEmpty() && first.isWhole()) {
+            throw new OnlyStatements(component, automaton.states().get(first.source()));
+        }
         if (block.isEmpty()) {
             return guards.enabledWhen(automaton, first);
         }
@@ -197,6 +200,29 @@ public record AutomatonPlan(
     /** Whether a step, or the construction, may end in an error of the model. */
     boolean mayFail() {
         return checks || states.stream().anyMatch(this::forbids);
+    }
+
+    /** Statements cannot be written as statements, and there are too many ways through them. */
+    public static final class OnlyStatements extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Component component;
+
+        private OnlyStatements(Component component, String state) {
+            super(
+                    "state "
+                            + state
+                            + " has statements with too many ways through them to write each as a"
+                            + " transition; a target that takes statements (entry 'statements')"
+                            + " writes them as they stand, and random choices are generated where"
+                            + " they are all that leads out of the state: else generate with"
+                            + " --choose first");
+            this.component = component;
+        }
+
+        public Component component() {
+            return component;
+        }
     }
 
     /**

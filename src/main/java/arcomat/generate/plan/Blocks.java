@@ -2,7 +2,6 @@ package arcomat.generate.plan;
 
 import arcomat.generate.text.FileContext;
 import arcomat.model.Automaton;
-import arcomat.model.Port;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -33,7 +32,7 @@ record Blocks(FileContext context, Automaton automaton, boolean draws, boolean t
         int next = 0;
         while (next < all.size()) {
             Automaton.Transition first = all.get(next);
-            int count = isWritten(first, next) ? first.body().orElseThrow().ways() : 1;
+            int count = isWritten(first, next) ? first.body().orElseThrow().transitions() : 1;
             Optional<Automaton.Body> body =
                     isWritten(first, next) ? first.body() : Optional.empty();
             groups.add(new Group(next, all.subList(next, next + count), body));
@@ -46,23 +45,24 @@ record Blocks(FileContext context, Automaton automaton, boolean draws, boolean t
         return isAsked()
                 && first.body()
                         .filter(body -> isWhole(body, position))
-                        .filter(body -> !traced || body.numbered() || body.ways() == 1)
+                        .filter(
+                                body ->
+                                        !traced
+                                                || body.isNumbered()
+                                                || body.transitions() == 1)
                         .filter(body -> automaton.before(first).isEmpty())
-                        .filter(body -> !draws || isAlone(first.source(), body.ways()))
+                        .filter(body -> !draws || isAlone(first.source(), body.transitions()))
                         .isPresent();
     }
 
     private boolean isAsked() {
-        boolean latches = context.component().inputs().stream().anyMatch(Port::latched);
-        return context.names().language().entry("statements").isPresent()
-                && automaton.omitted() == Automaton.Omitted.SILENT
-                && !(context.isEventDriven() && latches);
+        return context.names().language().entry("statements").isPresent();
     }
 
     /** Whether all that stand for the statements are there, as they were made. */
     private boolean isWhole(Automaton.Body body, int position) {
         List<Automaton.Transition> all = automaton.transitions();
-        int end = position + body.ways();
+        int end = position + body.transitions();
         return end <= all.size()
                 && all.subList(position, end).stream()
                         .allMatch(each -> each.body().filter(b -> b == body).isPresent());

@@ -10,6 +10,7 @@ import arcomat.generate.view.AtomicView.StatementsView;
 import arcomat.generate.view.HeadView.AssignmentView;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
+import arcomat.model.Port;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.statement.Procedure;
 import arcomat.semantics.statement.Step;
@@ -20,6 +21,7 @@ import java.util.List;
 /** Statements of an effect, line by line. */
 final class StatementViews implements Step.Cases<Void> {
     private final FileContext context;
+    private final Automaton automaton;
     private final Effects effects;
     private final ExpressionWriter text;
     private final Procedure procedure;
@@ -39,20 +41,33 @@ final class StatementViews implements Step.Cases<Void> {
             boolean traced) {
         AutomatonPlan.Block block = way.block().orElseThrow();
         this.context = context;
+        this.automaton = automaton;
         this.effects = effects;
         this.procedure = block.procedure();
         this.index = way.index();
-        this.counts = traced && block.transitions().size() > 1;
+        this.counts =
+                traced && way.transition().body().orElseThrow().isNumbered();
         this.text =
                 context.expressions()
                         .at(Fault.place(context.component(), automaton, way.transition()));
     }
 
     StatementsView view() {
+        freely();
         procedure.locals().forEach(this::declare);
         all(procedure.steps());
         String label = procedure.stops() ? label() : "";
         return new StatementsView(lines, label, counts ? way() : "");
+    }
+
+    /** What is sent where statements say nothing of a port on which something has to be sent. */
+    private void freely() {
+        if (automaton.omitted() == Automaton.Omitted.FREE && !context.isEventDriven()) {
+            context.component().outputs().stream()
+                    .filter(Port::total)
+                    .map(port -> new Step.Emit(port, new Automaton.AnyMessage()))
+                    .forEach(this::emit);
+        }
     }
 
     private String label() {

@@ -47,6 +47,11 @@ public final class Presence {
         return formulas.simplify(Formulas.and(first, second));
     }
 
+    /** A condition without tests of presence that hold at this place. */
+    public Expression simplify(Expression condition, Set<String> present) {
+        return formulas.simplify(condition, present);
+    }
+
     /** Whether an expression has a value just where all ports that it reads carry a message. */
     public boolean isStrict(Expression expression) {
         return formulas.isStrict(expression);
@@ -93,15 +98,16 @@ public final class Presence {
     }
 
     private void add(boolean truth, Expression e, Set<String> known) {
-        if (formulas.isStrict(e)) {
-            known.addAll(open(e, known));
-        } else if (Formulas.isNegation(e)) {
-            add(!truth, e.operands().get(0), known);
-        } else if (e instanceof Expression.PortMatches matches) {
+        if (e instanceof Expression.PortMatches matches) {
             boolean absent = matches.pattern() instanceof Automaton.Absent;
-            if (truth != absent) {
+            boolean tells = truth || !(matches.pattern() instanceof Automaton.OneOf);
+            if (truth != absent && tells) {
                 known.add(matches.port().name());
             }
+        } else if (Formulas.isNegation(e)) {
+            add(!truth, e.operands().get(0), known);
+        } else if (formulas.isStrict(e) && !open(e, known).isEmpty()) {
+            known.addAll(open(e, known));
         } else if (e instanceof Expression.Binary binary) {
             boolean both = binary.operator() == BinaryOperator.AND && truth;
             boolean neither = binary.operator() == BinaryOperator.OR && !truth;

@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -81,13 +82,11 @@ final class Carrying {
         }
         List<Step> steps = new ArrayList<>();
         Place place = Place.beginning(Set.of());
-        if (!assigned.mayFail()) {
-            Set<String> sure = SurelyRead.of(statement, automaton, presence);
-            component.inputs().stream()
-                    .filter(port -> sure.contains(port.name()))
-                    .forEach(port -> need(carries(port), place, steps));
-            place.learn(sure);
-        }
+        Set<String> sure = SurelyRead.of(statement, automaton, presence);
+        component.inputs().stream()
+                .filter(port -> sure.contains(port.name()))
+                .forEach(port -> need(carries(port), place, steps));
+        place.learn(sure);
         carry(statement, place, steps, 1);
         finish(kept, place, steps);
         return finished(steps);
@@ -162,14 +161,15 @@ final class Carrying {
         public Void declare(Statement.Declare declare) {
             Variable local = declare.local();
             Expression value = current(local.initial(), place);
+            Expression present = present(local.initial(), place);
             Variable cell = newCell(local);
-            if (isSafe(value, place)) {
+            if (isSafe(value, present)) {
                 save(cell.name(), local.name(), place, steps);
                 steps.add(new Step.Declare(cell, value));
                 place.put(local, Meaning.CELL);
             } else {
                 hoisted.add(cell.name());
-                place.put(local, Meaning.Later.of(value));
+                place.put(local, Meaning.Later.of(value, present));
             }
             return null;
         }
@@ -177,14 +177,15 @@ final class Carrying {
         @Override
         public Void assign(Statement.Assign assign) {
             Expression value = current(assign.value(), place);
+            Expression present = present(assign.value(), place);
             Variable variable = assign.variable();
-            if (isSafe(value, place)) {
+            if (isSafe(value, present)) {
                 save(cell(variable).name(), variable.name(), place, steps);
                 steps.add(new Step.Set(cell(variable), value));
                 note(variable, value);
                 place.put(variable, Meaning.CELL);
             } else {
-                place.put(variable, Meaning.Later.of(value));
+                place.put(variable, Meaning.Later.of(value, present));
             }
             return null;
         }
@@ -205,18 +206,22 @@ final class Carrying {
         public Void send(Statement.Send send) {
             Port port = send.send().port();
             Automaton.Emission emission = current(send.send().emission(), place);
+            Expression present = TRUE;
+            for (Expression value : send.send().emission().values()) {
+                present = and(present, present(value, place));
+            }
+            Expression all = presence.simplify(present, Set.of());
             boolean now =
                     !late
                             && emission.values().stream()
                                     .allMatch(
                                             each ->
-                                                    isSafe(each, place)
-                                                            && fits(each, port.type()));
+                                                    isSafe(each, all) && fits(each, port.type()));
             if (now) {
                 steps.add(new Step.Emit(port, emission));
                 place.setDone();
             }
-            place.putPort(port.name(), now ? Meaning.CELL : new Meaning.Later(emission));
+            place.putPort(port.name(), now ? Meaning.CELL : new Meaning.Later(emission, all));
             return null;
         }
 
@@ -292,10 +297,10 @@ final class Carrying {
     /** What is known of all that is kept and sent: whether it is there, then what it is. */
     private void finish(List<Variable> kept, Place place, List<Step> steps) {
         for (Variable each : kept) {
-            need(present(place.variable(each.name()), place), place, steps);
+            demand(place.variable(each.name()), place, steps);
         }
         for (Port port : component.outputs()) {
-            need(present(place.port(port.name()), place), place, steps);
+            demand(place.port(port.name()), place, steps);
         }
         for (Variable each : kept) {
             Meaning meaning = place.variable(each.name());
@@ -318,17 +323,35 @@ final class Carrying {
         }
     }
 
-    private Expression present(Meaning meaning, Place place) {
+    private void demand(Meaning meaning, Place place, List<Step> steps) {
+        Expression present = presence.simplify(present(meaning), place.present());
+        need(present, place, steps);
+        place.learn(presence.where(true, present, place.present()));
+    }
+
+    /** That there is what an expression reads, by itself or through names. */
+    private Expression present(Expression expression, Place place) {
+        Set<String> names = new LinkedHashSet<>();
+        expression.visit(
+                e -> {
+                    if (e instanceof Expression.VariableRead read) {
+                        names.add(read.variable().name());
+                    }
+                });
+        Expression all = presence.present(expression, place.present());
+        for (String name : names) {
+            all = and(all, present(place.variable(name)));
+        }
+        return presence.simplify(all, place.present());
+    }
+
+    private static Expression present(Meaning meaning) {
         if (meaning instanceof Meaning.Later later) {
-            Expression all = TRUE;
-            for (Expression value : later.emission().values()) {
-                all = and(all, presence.present(value, place.present()));
-            }
-            return all;
+            return later.present();
         }
         if (meaning instanceof Meaning.Either either) {
-            Expression then = present(either.then(), place);
-            Expression otherwise = present(either.otherwise(), place);
+            Expression then = present(either.then());
+            Expression otherwise = present(either.otherwise());
             Expression chosen = read(either.chosen());
             return then.equals(otherwise)
                     ? then
@@ -374,8 +397,8 @@ final class Carrying {
         return List.of();
     }
 
-    private boolean isSafe(Expression value, Place place) {
-        return !Presence.mayFail(value) && presence.open(value, place.present()).isEmpty();
+    private static boolean isSafe(Expression value, Expression present) {
+        return present.equals(TRUE) && !Presence.mayFail(value);
     }
 
     /** Whether a value is in the range of what it is for, whatever is read. */

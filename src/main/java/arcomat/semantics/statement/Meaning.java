@@ -30,10 +30,14 @@ sealed interface Meaning {
         }
     }
 
-    /** What is computed once it is needed: it may go wrong, or read what is not there. */
-    record Later(Automaton.Emission emission) implements Meaning {
-        static Later of(Expression value) {
-            return new Later(new Automaton.Messages(List.of(value)));
+    /**
+     * What is computed once it is needed: it may go wrong, or read what is not there.
+     *
+     * @param present two-valued, that there is what it reads
+     */
+    record Later(Automaton.Emission emission, Expression present) implements Meaning {
+        static Later of(Expression value, Expression present) {
+            return new Later(new Automaton.Messages(List.of(value)), present);
         }
 
         Expression value() {
@@ -45,7 +49,8 @@ sealed interface Meaning {
             return emission instanceof Automaton.Messages messages
                     ? new Later(
                             new Automaton.Messages(
-                                    messages.values().stream().map(rewrite).toList()))
+                                    messages.values().stream().map(rewrite).toList()),
+                            present)
                     : this;
         }
 

@@ -20,17 +20,22 @@ final class SurelyRead implements Statement.Cases<Void> {
     private final Automaton automaton;
     private final Presence presence;
     private Map<String, Set<String>> values = new HashMap<>();
+    private final Set<String> failing = new HashSet<>();
     private Set<String> needed = new HashSet<>();
+    private boolean decidesWrongly;
 
     private SurelyRead(Automaton automaton, Presence presence) {
         this.automaton = automaton;
         this.presence = presence;
     }
 
-    /** Names of ports. */
+    /** Names of ports; none where a condition may go wrong, since that comes first. */
     static Set<String> of(Statement statement, Automaton automaton, Presence presence) {
         SurelyRead reading = new SurelyRead(automaton, presence);
         statement.match(reading);
+        if (reading.decidesWrongly) {
+            return Set.of();
+        }
         Set<String> all = new HashSet<>(reading.needed);
         reading.values.forEach(
                 (name, read) -> {
@@ -43,6 +48,21 @@ final class SurelyRead implements Statement.Cases<Void> {
 
     private boolean isKept(String name) {
         return automaton.variables().stream().anyMatch(each -> each.name().equals(name));
+    }
+
+    private boolean mayFail(Expression value) {
+        return Presence.mayFail(value)
+                || value.contains(
+                        e ->
+                                e instanceof Expression.VariableRead read
+                                        && failing.contains(read.variable().name()));
+    }
+
+    private void put(String name, Expression value) {
+        values.put(name, read(value));
+        if (mayFail(value)) {
+            failing.add(name);
+        }
     }
 
     private Set<String> read(Expression value) {
@@ -64,13 +84,13 @@ final class SurelyRead implements Statement.Cases<Void> {
 
     @Override
     public Void declare(Statement.Declare declare) {
-        values.put(declare.local().name(), read(declare.local().initial()));
+        put(declare.local().name(), declare.local().initial());
         return null;
     }
 
     @Override
     public Void assign(Statement.Assign assign) {
-        values.put(assign.variable().name(), read(assign.value()));
+        put(assign.variable().name(), assign.value());
         return null;
     }
 
@@ -84,6 +104,7 @@ final class SurelyRead implements Statement.Cases<Void> {
 
     @Override
     public Void choose(Statement.Choose choose) {
+        decidesWrongly |= mayFail(choose.condition());
         if (presence.isStrict(choose.condition())) {
             needed.addAll(presence.open(choose.condition(), Set.of()));
         }

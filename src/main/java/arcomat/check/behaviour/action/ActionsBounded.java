@@ -3,21 +3,20 @@ package arcomat.check.behaviour.action;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.ValueSymbol;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /**
- * ARC0345: statements stand for so many ways through them, and for values of such a size, that
- * everybody can look at all of them.
+ * ARC0345: what is computed before the first slice, with names written out as what was assigned to
+ * them, is of such a size that everybody can look at it.
  */
 public final class ActionsBounded implements Check.OnActions {
-    /** Ways through the statements of one transition; each is a transition of the automaton. */
-    private static final long MOST_WAYS = 64;
-
     /** Names, literals and operators of one value, where names stand for what was assigned. */
     private static final long LARGEST = 2_000;
 
@@ -26,45 +25,8 @@ public final class ActionsBounded implements Check.OnActions {
 
     @Override
     public void check(ActionSymbol actions, Context context, Findings findings) {
-        long ways = actions.match(new Ways());
-        if (ways > MOST_WAYS) {
-            findings.report(
-                    actions.choices().get(0).condition().expression().node(),
-                    "there are %s ways through these statements, and at most %s are looked at;"
-                            + " choose values by 'if .. then .. else ..', or write several"
-                            + " transitions",
-                    ways >= TOO_MUCH ? "far too many" : ways,
-                    MOST_WAYS);
-            return;
-        }
-        actions.match(new Sizes(findings));
-    }
-
-    /** How many ways there are. */
-    private static final class Ways implements ActionSymbol.Cases<Long> {
-        @Override
-        public Long sequence(ActionSymbol.Sequence sequence) {
-            long ways = 1;
-            for (ActionSymbol each : sequence.actions()) {
-                ways = Math.min(TOO_MUCH, ways * each.match(this));
-            }
-            return ways;
-        }
-
-        @Override
-        public Long choose(ActionSymbol.Choose choice) {
-            long otherwise = choice.otherwise().map(each -> each.match(this)).orElse(1L);
-            return Math.min(TOO_MUCH, choice.then().match(this) + otherwise);
-        }
-
-        @Override
-        public Long assign(ActionSymbol.Assign assign) {
-            return 1L;
-        }
-
-        @Override
-        public Long declare(ActionSymbol.Declare declare) {
-            return 1L;
+        if (context.side().equals(Optional.of(Side.INITIAL))) {
+            actions.match(new Sizes(findings));
         }
     }
 
@@ -127,9 +89,9 @@ public final class ActionsBounded implements Check.OnActions {
             if (size > LARGEST) {
                 findings.report(
                         value.expression().node(),
-                        "written out with what was assigned before, this value has %s parts, and at"
-                                + " most %s are looked at; keep something in between in a variable"
-                                + " of the automaton, and go on in the next step",
+                        "written out with what was assigned before, this value has %s parts, and"
+                                + " before the first slice at most %s are looked at; compute it in"
+                                + " a transition",
                         size >= TOO_MUCH ? "far too many" : size,
                         LARGEST);
             }
