@@ -241,6 +241,11 @@ public record Automaton(
             return body.filter(each -> each.standing() == Standing.WHOLE).isPresent();
         }
 
+        /** Whether it stands for the same statements as another one. */
+        public boolean isSameStatements(Transition other) {
+            return body.isPresent() && other.body.isPresent() && body.get() == other.body.get();
+        }
+
         /** The same as one that stands for statements. */
         public Transition of(Body statements) {
             return new Transition(

@@ -126,9 +126,14 @@ final class StatementViews implements Step.Cases<Void> {
         if (choose.then().isEmpty() && choose.otherwise().isEmpty() && !condition.mayFail()) {
             return null;
         }
-        line("if", "", "", text.of(condition).text());
-        inside(choose.then());
-        otherwise(choose.otherwise());
+        if (choose.then().isEmpty() && !choose.otherwise().isEmpty()) {
+            line("if", "", "", text.of(formula(negated(choose.condition()))).text());
+            inside(choose.otherwise());
+        } else {
+            line("if", "", "", text.of(condition).text());
+            inside(choose.then());
+            otherwise(choose.otherwise());
+        }
         line("end", "", "", "");
         return null;
     }
@@ -141,7 +146,9 @@ final class StatementViews implements Step.Cases<Void> {
 
     /** A choice that is all there is behind {@code else} stands beside it. */
     private void otherwise(List<Step> steps) {
-        if (steps.size() == 1 && steps.get(0) instanceof Step.Choose next) {
+        if (steps.size() == 1
+                && steps.get(0) instanceof Step.Choose next
+                && !next.then().isEmpty()) {
             line("elseif", "", "", text.of(formula(next.condition())).text());
             inside(next.then());
             otherwise(next.otherwise());

@@ -276,8 +276,9 @@ final class Carrying {
     }
 
     private void need(Expression condition, Place place, List<Step> steps) {
-        if (!condition.equals(TRUE)) {
-            steps.add(new Step.Need(condition));
+        Step need = new Step.Need(condition);
+        if (!condition.equals(TRUE) && !steps.contains(need)) {
+            steps.add(need);
             takesBack |= place.done();
         }
     }
