@@ -45,8 +45,7 @@ final class Alternative {
                 new Value.IntegerValue(0), sum.right().type(), sum.right().span());
     }
 
-    private static Expression choice(
-            Expression condition, Expression then, Expression otherwise) {
+    private static Expression choice(Expression condition, Expression then, Expression otherwise) {
         return new Expression.Conditional(
                 condition, then, otherwise, then.type(), condition.span());
     }

@@ -204,9 +204,7 @@ final class ComponentLowering {
                 new Component.Atomic(
                         List.of(
                                 new AutomatonLowering(
-                                                symbol,
-                                                inside,
-                                                Component.Profile.TIME_SYNCHRONOUS)
+                                                symbol, inside, Component.Profile.TIME_SYNCHRONOUS)
                                         .lower())),
                 List.of(),
                 List.of(),

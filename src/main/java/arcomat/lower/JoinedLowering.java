@@ -161,10 +161,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
 
     /** With the first of others that it can be joined with, which is left out then. */
     private @Nullable JoinedPath joined(
-            Expression condition,
-            JoinedPath first,
-            List<JoinedPath> others,
-            JoinedPath path) {
+            Expression condition, JoinedPath first, List<JoinedPath> others, JoinedPath path) {
         for (JoinedPath second : others) {
             Optional<ActionPath> both = first.join(condition, second, ports);
             if (both.isPresent()) {

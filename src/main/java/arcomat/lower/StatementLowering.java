@@ -59,8 +59,7 @@ final class StatementLowering implements ActionSymbol.Cases<Statement> {
         }
         Variable variable = expressions.variable((VariableSymbol) target);
         return new Statement.Assign(
-                variable,
-                expressions.lower(item.value().expressions().get(0), variable.type()));
+                variable, expressions.lower(item.value().expressions().get(0), variable.type()));
     }
 
     @Override

@@ -96,7 +96,8 @@ public record AutomatonPlan(
         List<List<Way>> bySource = new ArrayList<>();
         automaton.states().forEach(state -> bySource.add(new ArrayList<>()));
         for (Blocks.Group group : new Blocks(context, automaton, random, traced).groups()) {
-            Optional<Block> block = group.body().map(body -> block(context, automaton, group, traced));
+            Optional<Block> block =
+                    group.body().map(body -> block(context, automaton, group, traced));
             Expression condition = condition(component, automaton, group, block);
             checks |= RuntimeChecks.dividesAnywhere(condition);
             Automaton.Transition transition = group.transitions().get(0);
@@ -147,7 +148,9 @@ public record AutomatonPlan(
             return guards.enabledWhen(automaton, first);
         }
         Automaton.Body body = group.body().orElseThrow();
-        Expression asked = guards.enabledWhen(automaton, first.with(body.guard(), body.matches(), List.of(), List.of()));
+        Expression asked =
+                guards.enabledWhen(
+                        automaton, first.with(body.guard(), body.matches(), List.of(), List.of()));
         return new Presence(component.profile()).both(asked, block.get().procedure().entry());
     }
 

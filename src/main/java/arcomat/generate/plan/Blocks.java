@@ -45,11 +45,7 @@ record Blocks(FileContext context, Automaton automaton, boolean draws, boolean t
         return isAsked()
                 && first.body()
                         .filter(body -> isWhole(body, position))
-                        .filter(
-                                body ->
-                                        !traced
-                                                || body.isNumbered()
-                                                || body.transitions() == 1)
+                        .filter(body -> !traced || body.isNumbered() || body.transitions() == 1)
                         .filter(body -> automaton.before(first).isEmpty())
                         .filter(body -> !draws || isAlone(first.source(), body.transitions()))
                         .isPresent();

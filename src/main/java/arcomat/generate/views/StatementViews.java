@@ -45,8 +45,7 @@ final class StatementViews implements Step.Cases<Void> {
         this.effects = effects;
         this.procedure = block.procedure();
         this.index = way.index();
-        this.counts =
-                traced && way.transition().body().orElseThrow().isNumbered();
+        this.counts = traced && way.transition().body().orElseThrow().isNumbered();
         this.text =
                 context.expressions()
                         .at(Fault.place(context.component(), automaton, way.transition()));

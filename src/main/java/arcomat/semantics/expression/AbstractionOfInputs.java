@@ -187,7 +187,24 @@ public final class AbstractionOfInputs extends ConditionWalk {
 
     @Override
     void value(Expression e) {
-        e.ports().forEach(this::whole);
+        if (e instanceof Expression.Conditional choice) {
+            condition(choice.condition());
+            value(choice.then());
+            value(choice.otherwise());
+        } else if (isCalculated(e)) {
+            e.operands().forEach(this::value);
+        } else {
+            e.ports().forEach(this::whole);
+        }
+    }
+
+    /** Whether a value is a number that depends on its operands, and on nothing else. */
+    private static boolean isCalculated(Expression e) {
+        return e.type().isNumber()
+                && !e.operands().isEmpty()
+                && (e instanceof Expression.Binary
+                        || e instanceof Expression.Unary
+                        || e instanceof Expression.Cast);
     }
 
     private void whole(Port port) {

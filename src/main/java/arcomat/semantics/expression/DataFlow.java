@@ -5,7 +5,6 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-
 import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;

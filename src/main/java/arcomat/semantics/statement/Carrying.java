@@ -150,10 +150,7 @@ final class Carrying {
                 }
             }
             place.forget(here);
-            here.stream()
-                    .map(name -> cell(name).name())
-                    .filter(place::needs)
-                    .forEach(hoisted::add);
+            here.stream().map(name -> cell(name).name()).filter(place::needs).forEach(hoisted::add);
             return null;
         }
 
@@ -214,9 +211,7 @@ final class Carrying {
             boolean now =
                     !late
                             && emission.values().stream()
-                                    .allMatch(
-                                            each ->
-                                                    isSafe(each, all) && fits(each, port.type()));
+                                    .allMatch(each -> isSafe(each, all) && fits(each, port.type()));
             if (now) {
                 steps.add(new Step.Emit(port, emission));
                 place.setDone();
@@ -270,8 +265,7 @@ final class Carrying {
                                     otherwise,
                                     List.of(new Step.Need(FALSE))));
             steps.add(
-                    new Step.Choose(
-                            presence.certainly(true, condition, present), then, unlessNot));
+                    new Step.Choose(presence.certainly(true, condition, present), then, unlessNot));
         }
     }
 

@@ -81,7 +81,8 @@ public final class ActionsBounded implements Check.OnActions {
                 Long unchanged = before.get(name);
                 if (first == null && second == null) {
                     sizes.remove(name);
-                } else if (!Objects.equals(first, unchanged) || !Objects.equals(second, unchanged)) {
+                } else if (!Objects.equals(first, unchanged)
+                        || !Objects.equals(second, unchanged)) {
                     long both = 1 + or1(first) + or1(second);
                     sizes.put(name, Math.min(TOO_MUCH, both));
                 }
