@@ -58,10 +58,11 @@ public final class Scales {
             sum = total + before;
             hasSum = true;
             found = Check.range(found, 0, 9, "Scales, computing -> computing (line 12): found");
-            if (chosen1) {
-            } else if (chosen2) {
-                heavy = Check.range(found, 0, 9, "Scales, computing -> computing (line 12): heavy");
-                hasHeavy = true;
+            if (!chosen1) {
+                if (chosen2) {
+                    heavy = Check.range(found, 0, 9, "Scales, computing -> computing (line 12): heavy");
+                    hasHeavy = true;
+                }
             }
             return;
         }

@@ -110,12 +110,8 @@ public class Events {
                     if (!(chosen2 || !chosen2)) {
                         break statements0;
                     }
-                    if (!(chosen2 || !chosen2)) {
-                        break statements0;
-                    }
                     saved1 = nextTotal;
-                    if (chosen2) {
-                    } else {
+                    if (!chosen2) {
                         nextTotal = total + up;
                     }
                     sendSum(chosen2 ? saved1 : total + up);
@@ -140,10 +136,13 @@ public class Events {
                 break;
 
             case DONE:
-                // line 25: done -> counting / {sum = total};
-                sendSum(total);
-                state = COUNTING;
-                return;
+                // line 25: done -> counting [up > 3] {up = ?} / {sum = total};
+                if (hasUp && up > 3) {
+                    sendSum(total);
+                    state = COUNTING;
+                    return;
+                }
+                break;
 
             default:
                 break;

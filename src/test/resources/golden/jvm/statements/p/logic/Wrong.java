@@ -63,15 +63,8 @@ public final class Wrong {
             if (!(chosen2 && (chosen1 || !chosen1 && hasP) || !chosen2)) {
                 break statements0;
             }
-            if (!(chosen2 && (chosen1 || !chosen1 && hasP) || !chosen2)) {
-                break statements0;
-            }
-            if (!(chosen2 && (chosen1 || !chosen1 && hasP) || !chosen2)) {
-                break statements0;
-            }
             saved1 = nextA;
-            if (chosen1) {
-            } else {
+            if (!chosen1) {
                 nextA = Check.divide(12, p, "Wrong, computing -> computing (line 8)");
             }
             saved2 = nextB;
