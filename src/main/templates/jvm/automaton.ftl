@@ -11,21 +11,68 @@ ${indent}${message.target}(${message.value});
 <#list transition.assignments as assignment>
 ${indent}${assignment.target} = ${assignment.value};
 </#list>
+<@statements transition indent/>
 <#if transition.target != "">
 ${indent}${a.state} = ${transition.target};
 </#if>
 <#if a.traced>
-${indent}${a.taken} = ${transition.index};
+${indent}${a.taken} = ${(transition.statements.way == "")?then(transition.index, transition.statements.way)};
 </#if>
 </#macro>
+<#macro statements transition indent>
+<#if transition.statements.way != "">
+${indent}int ${transition.statements.way} = ${transition.index};
+</#if>
+<#list transition.statements.lines as line>
+<#local here = indent + ""?left_pad(4 * line.depth)>
+<#switch line.kind>
+<#case "declare">
+${here}${line.type} ${line.target} = ${line.value};
+<#break>
+<#case "assign">
+${here}${line.target} = ${line.value};
+<#break>
+<#case "call">
+${here}${line.target}(${line.value});
+<#break>
+<#case "count">
+${here}${line.target} += ${line.value};
+<#break>
+<#case "if">
+${here}if (${line.value}) {
+<#break>
+<#case "elseif">
+${here}} else if (${line.value}) {
+<#break>
+<#case "else">
+${here}} else {
+<#break>
+<#case "end">
+${here}}
+<#break>
+<#case "stop">
+${here}break ${transition.statements.label};
+<#break>
+</#switch>
+</#list>
+</#macro>
+<#-- Whether something is declared, or a place behind it has a name. -->
+<#function isClosed transition>
+<#local some = transition.statements>
+<#return transition.locals?has_content || some.label != "" || some.way != ""
+    || some.lines?filter(line -> line.kind == "declare" && line.depth == 0)?has_content>
+</#function>
+<#function labelled transition>
+<#return (transition.statements.label == "")?then("", transition.statements.label + ": ")>
+</#function>
 <#-- Transitions in text order; the first enabled one is taken. -->
 <#macro inOrder a transitions indent done>
 <#list transitions as transition>
 <#if transition.comment != "">
 ${indent}// ${transition.comment}
 </#if>
-<#if transition.condition == "" && transition.locals?has_content>
-${indent}{
+<#if transition.condition == "" && isClosed(transition)>
+${indent}${labelled(transition)}{
 <@effect a transition indent + "    "/>
 ${indent}    ${done}${transition.mark}
 ${indent}}
@@ -33,7 +80,7 @@ ${indent}}
 <@effect a transition indent/>
 ${indent}${done}${transition.mark}
 <#else>
-${indent}if (${transition.condition}) {
+${indent}<#if transition.statements.label != "">${labelled(transition)}</#if>if (${transition.condition}) {
 <@effect a transition indent + "    "/>
 ${indent}    ${done}${transition.mark}
 ${indent}}

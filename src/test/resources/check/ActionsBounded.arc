@@ -1,5 +1,5 @@
-//// Bad.arc
-component Bad {
+//// BadValue.arc
+component BadValue {
   port in Integer step, in Boolean go, out Integer count;
 
   automaton {
@@ -7,20 +7,67 @@ component Bad {
     state counting;
     initial counting;
     counting / do {
-      if (step > 0) { sum = sum + 0; }
-//        ~~~~~~~~ error ARC0345: there are 128 ways through these statements, and at most 64 are looked at; choose values by 'if .. then .. else ..', or write several transitions
-      if (step > 1) { sum = sum + 1; }
-      if (step > 2) { sum = sum + 2; }
-      if (step > 3) { sum = sum + 3; }
-      if (step > 4) { sum = sum + 4; }
-      if (step > 5) { sum = sum + 5; }
-      if (step > 6) { sum = sum + 6; }
+      sum = step / sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      count = sum + sum;
+//            ~~~~~~~~~ error ARC0345: written out with what was assigned before, this value has 2047 parts, and at most 2000 are looked at where something may go wrong or be missing; keep something in between in a variable of the automaton, and go on in the next step
     };
   }
 }
 
-//// BadFar.arc
-component BadFar {
+//// GoodChoices.arc
+component GoodChoices {
+  port in Integer step, in Boolean go, out Integer count;
+
+  automaton {
+    variable Integer sum = 0;
+    state counting;
+    initial counting;
+    counting / do {
+      sum = 100 / sum;
+      if (go == true) { sum = sum + sum; }
+      if (go == true) { sum = sum + sum; }
+      if (go == true) { sum = sum + sum; }
+      if (go == true) { sum = sum + sum; }
+      if (go == true) { sum = sum + sum; }
+      count = sum + sum;
+    };
+  }
+}
+
+//// BadStart.arc
+component BadStart {
+  port in Integer step, in Boolean go, out Integer count;
+
+  automaton {
+    variable Integer sum = 0;
+    state counting;
+    initial counting / do {
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+//          ~~~~~~~~~ error ARC0345: written out with what was assigned before, this value has 2047 parts, and at most 2000 are looked at before the first slice; compute it in a transition
+    };
+    counting;
+  }
+}
+
+//// Good.arc
+component Good {
   port in Integer step, in Boolean go, out Integer count;
 
   automaton {
@@ -29,7 +76,6 @@ component BadFar {
     initial counting;
     counting / do {
       if (step > 0) { sum = sum + 0; }
-//        ~~~~~~~~ error ARC0345: there are far too many ways through these statements, and at most 64 are looked at; choose values by 'if .. then .. else ..', or write several transitions
       if (step > 1) { sum = sum + 1; }
       if (step > 2) { sum = sum + 2; }
       if (step > 3) { sum = sum + 3; }
@@ -73,49 +119,6 @@ component BadFar {
   }
 }
 
-//// BadValue.arc
-component BadValue {
-  port in Integer step, in Boolean go, out Integer count;
-
-  automaton {
-    variable Integer sum = 0;
-    state counting;
-    initial counting;
-    counting / do {
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      sum = sum + sum;
-      count = sum + sum;
-//            ~~~~~~~~~ error ARC0345: written out with what was assigned before, this value has 2047 parts, and at most 2000 are looked at; keep something in between in a variable of the automaton, and go on in the next step
-    };
-  }
-}
-
-//// Good.arc
-component Good {
-  port in Integer step, in Boolean go, out Integer count;
-
-  automaton {
-    variable Integer sum = 0;
-    state counting;
-    initial counting;
-    counting / do {
-      if (step > 0) { sum = sum + 0; }
-      if (step > 1) { sum = sum + 1; }
-      if (step > 2) { sum = sum + 2; }
-      if (step > 3) { sum = sum + 3; }
-      if (step > 4) { sum = sum + 4; }
-      if (step > 5) { sum = sum + 5; }
-    };
-  }
-}
-
 //// GoodValue.arc
 component GoodValue {
   port in Integer step, in Boolean go, out Integer count;
@@ -125,6 +128,17 @@ component GoodValue {
     state counting;
     initial counting;
     counting / do {
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
+      sum = sum + sum;
       sum = sum + sum;
       sum = sum + sum;
       sum = sum + sum;

@@ -70,6 +70,10 @@ public final class Generator {
             return Generation.failed(
                     Diagnostic.error(
                             "ARC0805", e.component().span(), String.valueOf(e.getMessage())));
+        } catch (AutomatonPlan.OnlyStatements e) {
+            return Generation.failed(
+                    Diagnostic.error(
+                            "ARC0805", e.component().span(), String.valueOf(e.getMessage())));
         } catch (TemplateFailure e) {
             return Generation.failed(findings.template(e));
         }

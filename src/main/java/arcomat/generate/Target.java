@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
@@ -31,6 +32,9 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
     public Target {
         files = Map.copyOf(files);
     }
+
+    /** The entry by which templates ask for statements instead of the ways through them. */
+    private static final String STATEMENTS = "statements";
 
     /** A target that stands on no other. */
     public Target(String name, Map<String, String> files) {
@@ -111,8 +115,21 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
     /** The entries of the description, ordered by key; empty where there is no description. */
     Map<String, String> entries() {
         Map<String, String> all = new TreeMap<>(base.map(Target::entries).orElse(Map.of()));
-        all.putAll(entries(files.getOrDefault(DESCRIPTION, "")));
+        Map<String, String> own = entries(files.getOrDefault(DESCRIPTION, ""));
+        all.putAll(own);
+        if (!own.containsKey(STATEMENTS) && writesAutomata(all)) {
+            all.remove(STATEMENTS);
+        }
         return all;
+    }
+
+    /** Whether templates of its own write automata: they may know nothing of statements. */
+    private boolean writesAutomata(Map<String, String> all) {
+        List<String> libraries = List.of(all.getOrDefault("libraries", "").split("\\s+"));
+        return files.keySet().stream().anyMatch(libraries::contains)
+                || rules(all).stream()
+                        .filter(rule -> Set.of("atomic", "event").contains(rule.subject()))
+                        .anyMatch(rule -> files.containsKey(rule.template()));
     }
 
     private static Map<String, String> entries(String description) {
@@ -143,7 +160,11 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
 
     /** By the names of their templates. */
     List<Rule> rules() {
-        return entries().entrySet().stream()
+        return rules(entries());
+    }
+
+    private static List<Rule> rules(Map<String, String> entries) {
+        return entries.entrySet().stream()
                 .filter(entry -> entry.getKey().startsWith(TEMPLATE))
                 .map(entry -> Rule.of(entry.getKey(), entry.getValue()))
                 .toList();

@@ -59,8 +59,8 @@ final class Views {
             boolean acts = !component.inputs().isEmpty();
             platform(component, Kind.PLATFORM, head, new PlatformView(head, senses, acts, ""));
         } else if (automaton.isPresent()) {
-            AtomicViews views = new AtomicViews(context, automaton.get());
-            output.write(Kind.ATOMIC, head, views.view(head, program.traced()));
+            AtomicViews views = new AtomicViews(context, automaton.get(), program.traced());
+            output.write(Kind.ATOMIC, head, views.view(head));
         } else if (context.composition().isPresent()) {
             CompositeViews views = new CompositeViews(context, program, head);
             output.write(Kind.COMPOSITE, head, views.view());

@@ -32,7 +32,19 @@ final class ActionLowering implements ActionSymbol.Cases<List<ActionPath>> {
      * @return the ways through the statements; the conditions of two of them exclude each other
      */
     static List<ActionPath> lower(ActionSymbol actions, Environment environment) {
-        return actions.match(new ActionLowering(environment, List.of(ActionPath.EMPTY)));
+        List<String> order = order(actions);
+        return actions.match(new ActionLowering(environment, List.of(ActionPath.EMPTY))).stream()
+                .map(path -> path.inOrder(order))
+                .toList();
+    }
+
+    /** The names of what is assigned and sent, in the order in which the text says them first. */
+    static List<String> order(ActionSymbol actions) {
+        return actions.items().stream()
+                .flatMap(item -> item.target().found().stream())
+                .map(ValueSymbol::name)
+                .distinct()
+                .toList();
     }
 
     @Override

@@ -5,10 +5,12 @@ import arcomat.model.Expression;
 import arcomat.model.Variable;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -71,6 +73,23 @@ record ActionPath(
                                 messages.values().stream().map(this::current).toList()),
                 () -> emission,
                 () -> emission);
+    }
+
+    /** The same with its values in the order in which the text assigns them, on whichever way. */
+    ActionPath inOrder(List<String> names) {
+        Map<Variable, Expression> ordered = new LinkedHashMap<>();
+        values.keySet().stream()
+                .sorted(Comparator.comparingInt(each -> names.indexOf(each.name())))
+                .forEach(each -> ordered.put(each, Objects.requireNonNull(values.get(each))));
+        return new ActionPath(conditions, ordered, locals, sends);
+    }
+
+    /** All that it asks, assigns and sends. */
+    List<Expression> expressions() {
+        List<Expression> all = new ArrayList<>(conditions);
+        all.addAll(values.values());
+        sends.values().forEach(send -> all.addAll(send.emission().values()));
+        return all;
     }
 
     List<Automaton.Assignment> assignments() {

@@ -1,8 +1,10 @@
 package arcomat.lower;
 
 import arcomat.model.Automaton;
+import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Statement;
 import arcomat.model.Variable;
 import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol;
@@ -24,18 +26,29 @@ import java.util.stream.Stream;
 
 /** One automaton: names resolved, conditions on variables moved into guards. */
 final class AutomatonLowering {
+    /** Ways through statements that become a transition each. */
+    private static final int MOST_WAYS = 64;
+
+    /** Names, literals and operators of one value, where names stand for what was assigned. */
+    private static final long LARGEST = 2_000;
+
+    /** The same of one that says which of many ways is gone. */
+    private static final long LARGEST_JOINED = 10_000;
+
     private final AutomatonSymbol symbol;
     private final Environment environment;
     private final List<Variable> variables;
     private final ExpressionLowering expressions;
     private final ValueLowering values;
     private final Turns turns = new Turns();
+    private final Component.Profile profile;
 
     /**
      * @param outer what the component around it gives: ports, parameters, constants
      */
-    AutomatonLowering(AutomatonSymbol symbol, Environment outer) {
+    AutomatonLowering(AutomatonSymbol symbol, Environment outer, Component.Profile profile) {
         this.symbol = symbol;
+        this.profile = profile;
         this.variables = VariableLowering.lower(symbol.memory(), outer);
         this.environment = outer.withVariables(variables);
         this.expressions = new ExpressionLowering(environment);
@@ -84,38 +97,83 @@ final class AutomatonLowering {
 
     /** Several where statements choose: one for each way through them. */
     private Stream<Automaton.Transition> transitions(TransitionSymbol transition) {
-        if (transition.actions().isEmpty()) {
-            List<ItemSymbol> output = transition.output();
-            return Stream.of(transition(transition, List.of(), sends(output), assignments(output)));
-        }
-        return paths(transition.actions().get()).stream()
-                .map(
-                        path ->
-                                transition(
-                                        transition,
-                                        path.conditions(),
-                                        path.sent(),
-                                        path.assignments()));
-    }
-
-    /**
-     * @param conditions that have to be true besides the guard
-     */
-    private Automaton.Transition transition(
-            TransitionSymbol transition,
-            List<Expression> conditions,
-            List<Automaton.Send> sends,
-            List<Automaton.Assignment> assignments) {
         TransitionCondition demand = demand(transition);
-        List<Automaton.Match> matches = demand.matches();
         List<Expression> guards = new ArrayList<>(demand.guards());
         guards.addAll(turns.denials(transition.node(), demand));
-        guards.addAll(conditions);
+        if (transition.actions().isEmpty()) {
+            List<ItemSymbol> output = transition.output();
+            Optional<Expression> guard = conjunction(guards);
+            return Stream.of(
+                    transition(transition, demand, guard, sends(output), assignments(output)));
+        }
+        ActionSymbol actions = transition.actions().get();
+        Statement statement = StatementLowering.lower(actions, environment);
+        if (statement.ways() > MOST_WAYS || Sizes.largest(statement) > LARGEST) {
+            return joined(transition, demand, guards, statement);
+        }
+        List<ActionPath> paths = paths(actions);
+        Automaton.Body body =
+                new Automaton.Body(
+                        conjunction(guards),
+                        demand.matches(),
+                        statement,
+                        paths.size(),
+                        Automaton.Standing.WAYS);
+        return paths.stream()
+                .map(path -> transition(transition, demand, guards, path))
+                .map(each -> paths.size() == 1 ? each : each.of(body));
+    }
+
+    /** Too many ways to have a transition each: some are one, or all of them are. */
+    private Stream<Automaton.Transition> joined(
+            TransitionSymbol transition,
+            TransitionCondition demand,
+            List<Expression> guards,
+            Statement statement) {
+        boolean sliced = profile == Component.Profile.TIME_SYNCHRONOUS;
+        Optional<List<ActionPath>> paths =
+                JoinedLowering.lower(statement, sliced, MOST_WAYS, LARGEST_JOINED);
+        Optional<Expression> guard = conjunction(guards);
+        Automaton.Body body =
+                new Automaton.Body(
+                        guard,
+                        demand.matches(),
+                        statement,
+                        paths.map(List::size).orElse(1),
+                        paths.isPresent() ? Automaton.Standing.JOINED : Automaton.Standing.WHOLE);
+        if (paths.isEmpty()) {
+            return Stream.of(transition(transition, demand, guard, List.of(), List.of()).of(body));
+        }
+        List<String> order = ActionLowering.order(transition.actions().orElseThrow());
+        return paths.get().stream()
+                .map(path -> transition(transition, demand, guards, path.inOrder(order)).of(body));
+    }
+
+    private Automaton.Transition transition(
+            TransitionSymbol transition,
+            TransitionCondition demand,
+            List<Expression> guards,
+            ActionPath path) {
+        List<Expression> all = new ArrayList<>(guards);
+        all.addAll(path.conditions());
+        return transition(transition, demand, conjunction(all), path.sent(), path.assignments());
+    }
+
+    private static Optional<Expression> conjunction(List<Expression> guards) {
+        return guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards));
+    }
+
+    private static Automaton.Transition transition(
+            TransitionSymbol transition,
+            TransitionCondition demand,
+            Optional<Expression> guard,
+            List<Automaton.Send> sends,
+            List<Automaton.Assignment> assignments) {
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
                 transition.target().orElseThrow().index(),
-                guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards)),
-                matches,
+                guard,
+                demand.matches(),
                 sends,
                 assignments,
                 transition.node().rank(),

@@ -125,7 +125,7 @@ final class ComponentLowering {
 
     private static List<Automaton> automata(ComponentSymbol symbol, Environment environment) {
         return symbol.automata().stream()
-                .map(each -> new AutomatonLowering(each, environment).lower())
+                .map(each -> new AutomatonLowering(each, environment, profile(symbol)).lower())
                 .toList();
     }
 
@@ -201,7 +201,11 @@ final class ComponentLowering {
                 List.of(),
                 List.of(),
                 ports,
-                new Component.Atomic(List.of(new AutomatonLowering(symbol, inside).lower())),
+                new Component.Atomic(
+                        List.of(
+                                new AutomatonLowering(
+                                                symbol, inside, Component.Profile.TIME_SYNCHRONOUS)
+                                        .lower())),
                 List.of(),
                 List.of(),
                 List.of(),

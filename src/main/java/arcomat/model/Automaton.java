@@ -170,6 +170,7 @@ public record Automaton(
      * Matches, guard, sends and assignments read the configuration before the step.
      *
      * @param rank it may be taken only where none out of the same state with a smaller one could be
+     * @param body the statements that it is a way through, where statements choose
      */
     public record Transition(
             int source,
@@ -179,11 +180,25 @@ public record Automaton(
             List<Send> sends,
             List<Assignment> assignments,
             int rank,
+            Optional<Body> body,
             Span span) {
         public Transition {
             matches = List.copyOf(matches);
             sends = List.copyOf(sends);
             assignments = List.copyOf(assignments);
+        }
+
+        /** Without statements. */
+        public Transition(
+                int source,
+                int target,
+                Optional<Expression> guard,
+                List<Match> matches,
+                List<Send> sends,
+                List<Assignment> assignments,
+                int rank,
+                Span span) {
+            this(source, target, guard, matches, sends, assignments, rank, Optional.empty(), span);
         }
 
         /** Among the first ones. */
@@ -221,10 +236,68 @@ public record Automaton(
                     span);
         }
 
+        /** Whether what it does is said by statements alone; it sends and assigns nothing else. */
+        public boolean isWhole() {
+            return body.filter(each -> each.standing() == Standing.WHOLE).isPresent();
+        }
+
+        /** Whether it stands for the same statements as another one. */
+        public boolean isSameStatements(Transition other) {
+            return body.isPresent() && other.body.isPresent() && body.get() == other.body.get();
+        }
+
+        /** The same as one that stands for statements. */
+        public Transition of(Body statements) {
+            return new Transition(
+                    source,
+                    target,
+                    guard,
+                    matches,
+                    sends,
+                    assignments,
+                    rank,
+                    Optional.of(statements),
+                    span);
+        }
+
         public Transition withRank(int otherRank) {
             return new Transition(
                     source, target, guard, matches, sends, assignments, otherRank, span);
         }
+    }
+
+    /**
+     * Statements as they are written. The transitions that stand for them say the same and follow
+     * each other; whoever changes one of them says something else, and leaves it out.
+     *
+     * @param guard what is asked besides what the statements ask
+     * @param statement what is done
+     * @param transitions how many stand for it
+     */
+    public record Body(
+            Optional<Expression> guard,
+            List<Match> matches,
+            Statement statement,
+            int transitions,
+            Standing standing) {
+        public Body {
+            matches = List.copyOf(matches);
+        }
+
+        /** Whether it has one transition for each way, numbered by the choices on the way. */
+        public boolean isNumbered() {
+            return standing == Standing.WAYS && statement.ways() == transitions;
+        }
+    }
+
+    /** How transitions stand for statements. */
+    public enum Standing {
+        /** Each for a way that may be gone, those by the first branch of a choice before others. */
+        WAYS,
+        /** Each for ways that send on the same ports; values say which of them is gone. */
+        JOINED,
+        /** One for all ways: what it sends and assigns is said by its statements alone. */
+        WHOLE
     }
 
     /**

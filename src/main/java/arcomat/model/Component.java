@@ -2,8 +2,10 @@ package arcomat.model;
 
 import arcomat.source.Span;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A component type after specialisation: inherited parts are folded in, type parameters replaced.
@@ -186,6 +188,28 @@ public record Component(
     /** Whether an instance may leave out all arguments. */
     public boolean hasDefaults() {
         return parameters.stream().allMatch(parameter -> parameter.initial().isPresent());
+    }
+
+    /**
+     * Whether statements of it, or of a part, are one transition whose effect is said by nothing
+     * else: it can be run, but not be looked at.
+     */
+    public boolean isOnlyRun() {
+        return isOnlyRun(new HashSet<>());
+    }
+
+    private boolean isOnlyRun(Set<String> seen) {
+        if (!seen.add(qualifiedName())) {
+            return false;
+        }
+        return automata().stream().anyMatch(Component::isOnlyRun)
+                || body instanceof Composite composite
+                        && composite.parts().stream()
+                                .anyMatch(part -> part.component().isOnlyRun(seen));
+    }
+
+    private static boolean isOnlyRun(Automaton automaton) {
+        return automaton.transitions().stream().anyMatch(Automaton.Transition::isWhole);
     }
 
     public boolean isComposite() {

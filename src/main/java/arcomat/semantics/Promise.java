@@ -7,6 +7,7 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.network.Network;
+import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -33,6 +34,9 @@ public record Promise(
         component = automata.isEmpty() ? component : component.asPromised();
         arguments = List.copyOf(arguments);
         automata = List.copyOf(automata);
+        if (component.isOnlyRun()) {
+            throw new TooManyWays();
+        }
     }
 
     public Promise(Component component, List<Value> arguments, List<Automaton> automata) {

@@ -40,7 +40,7 @@ public final class RestOfFile {
                 CODE,
                 obstacle,
                 "The syntax of the rest of this file was not looked at. Mend this and check"
-                    + " again.");
+                        + " again.");
     }
 
     /** The files that some finding says this of, in the order of the findings. */

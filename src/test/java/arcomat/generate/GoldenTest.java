@@ -50,7 +50,8 @@ class GoldenTest {
                         "latched",
                         "mentions",
                         "names",
-                        "newer-names")) {
+                        "newer-names",
+                        "statements")) {
             Path file = Path.of("src/test/resources/agreement", folder + ".txt");
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));

@@ -9,6 +9,7 @@ import arcomat.pipeline.TimeIsUp;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
+import arcomat.semantics.value.GivenUp;
 
 import org.jspecify.annotations.Nullable;
 
@@ -110,6 +111,10 @@ public final class Cli {
         }
         if (e instanceof TimeIsUp) {
             complain("unknown: " + e.getMessage() + "; allow it more with --timeout", console);
+            return ExitStatus.UNKNOWN;
+        }
+        if (e instanceof GivenUp) {
+            complain("unknown: " + e.getMessage(), console);
             return ExitStatus.UNKNOWN;
         }
         if (e instanceof InvalidPathException path) {

@@ -11,9 +11,12 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
+import arcomat.semantics.expression.Presence;
+import arcomat.semantics.statement.Procedure;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What the code of an automaton decides in each state: which transitions it asks for, in which
@@ -40,14 +43,43 @@ public record AutomatonPlan(
      * A transition out of a state.
      *
      * @param index position in the automaton
-     * @param enabled when it is enabled
+     * @param enabled when it is enabled; of statements, what has to hold before they are looked at
      * @param asked what there is to ask once the earlier ones are not
+     * @param block the statements that it is written as
      */
-    public record Way(int index, Automaton.Transition transition, Formula enabled, Formula asked) {
+    public record Way(
+            int index,
+            Automaton.Transition transition,
+            Formula enabled,
+            Formula asked,
+            Optional<Block> block) {
         private boolean checks() {
+            if (block.isPresent()) {
+                return StepChecks.areNeeded(block.get().procedure().steps());
+            }
             RuntimeChecks known = RuntimeChecks.where(enabled);
             return known.areNeeded(transition.sends())
                     || known.areNeededFor(transition.assignments());
+        }
+
+        /** Whether it may come out only later that it is not enabled. */
+        boolean stops() {
+            return block.isPresent() && block.get().procedure().stops();
+        }
+
+        private Way asking(Formula rest) {
+            return new Way(index, transition, enabled, rest, block);
+        }
+    }
+
+    /**
+     * Statements that are written as statements.
+     *
+     * @param transitions those that stand for the ways through them
+     */
+    public record Block(Procedure procedure, List<Automaton.Transition> transitions) {
+        public Block {
+            transitions = List.copyOf(transitions);
         }
     }
 
@@ -56,21 +88,24 @@ public record AutomatonPlan(
      *
      * @throws TooManyChoices where one has to be drawn from more transitions than can be
      */
-    static AutomatonPlan of(FileContext context, Automaton automaton, Choosing choosing) {
+    static AutomatonPlan of(
+            FileContext context, Automaton automaton, Choosing choosing, boolean traced) {
         Component component = context.component();
         boolean checks = RuntimeChecks.atBeginning(component, automaton);
-        Guards guards = new Guards(component.profile());
+        boolean random = choosing == Choosing.RANDOM;
         List<List<Way>> bySource = new ArrayList<>();
         automaton.states().forEach(state -> bySource.add(new ArrayList<>()));
-        for (int i = 0; i < automaton.transitions().size(); i++) {
-            Automaton.Transition transition = automaton.transitions().get(i);
-            Expression condition = guards.enabledWhen(automaton, transition);
+        for (Blocks.Group group : new Blocks(context, automaton, random, traced).groups()) {
+            Optional<Block> block =
+                    group.body().map(body -> block(context, automaton, group, traced));
+            Expression condition = condition(component, automaton, group, block);
             checks |= RuntimeChecks.dividesAnywhere(condition);
+            Automaton.Transition transition = group.transitions().get(0);
             String place = Fault.place(component, automaton, transition);
             Formula enabled = new FormulaBuilder(context.expressions().at(place)).of(condition);
-            bySource.get(transition.source()).add(new Way(i, transition, enabled, enabled));
+            bySource.get(transition.source())
+                    .add(new Way(group.first(), transition, enabled, enabled, block));
         }
-        boolean random = choosing == Choosing.RANDOM;
         Simplification simplification = new Simplification(context.expressions()::mayBeAbsent);
         List<State> states = new ArrayList<>();
         for (List<Way> ways : bySource) {
@@ -86,18 +121,57 @@ public record AutomatonPlan(
         return new AutomatonPlan(automaton, states, random && draws, checks);
     }
 
+    private static Block block(
+            FileContext context, Automaton automaton, Blocks.Group group, boolean traced) {
+        Automaton.Body body = group.body().orElseThrow();
+        return new Block(
+                Procedure.of(
+                        context.component(),
+                        automaton,
+                        body.statement(),
+                        context.isEventDriven()
+                                ? Procedure.Form.AT_THE_END
+                                : Procedure.Form.AT_ONCE,
+                        traced && body.isNumbered()),
+                group.transitions());
+    }
+
+    /** When a transition is enabled, or what has to hold before statements are looked at. */
+    private static Expression condition(
+            Component component, Automaton automaton, Blocks.Group group, Optional<Block> block) {
+        Guards guards = new Guards(component.profile());
+        Automaton.Transition first = group.transitions().get(0);
+        if (block.isEmpty() && first.isWhole()) {
+            throw new OnlyStatements(component, automaton.states().get(first.source()));
+        }
+        if (block.isEmpty()) {
+            return guards.enabledWhen(automaton, first);
+        }
+        Automaton.Body body = group.body().orElseThrow();
+        Expression asked =
+                guards.enabledWhen(
+                        automaton, first.with(body.guard(), body.matches(), List.of(), List.of()));
+        return new Presence(component.profile()).both(asked, block.get().procedure().entry());
+    }
+
     private static State state(List<Way> ways, boolean random, Simplification simplification) {
         List<Formula> enabled = ways.stream().map(Way::enabled).toList();
         if (random && anyOverlap(enabled)) {
             return new State(ways, true, false);
         }
+        // Of statements that may stop, nothing is known where a later transition is asked for.
+        List<Formula> taken =
+                ways.stream().map(way -> way.stops() ? Formula.FALSE : way.enabled).toList();
         List<Way> asked = new ArrayList<>();
         Simplification.Excluded earlier = new Simplification.Excluded();
         for (Way way : ways) {
             Formula rest = simplification.after(earlier, way.enabled);
-            rest = simplification.inOpenCases(enabled.subList(0, asked.size()), rest);
+            rest = simplification.inOpenCases(taken.subList(0, asked.size()), rest);
+            asked.add(way.asking(rest));
+            if (way.stops()) {
+                continue;
+            }
             earlier.add(simplification.not(way.enabled).conjuncts());
-            asked.add(new Way(way.index, way.transition, way.enabled, rest));
             if (rest.equals(Formula.TRUE)) {
                 return new State(asked, false, true);
             }
@@ -129,6 +203,29 @@ public record AutomatonPlan(
     /** Whether a step, or the construction, may end in an error of the model. */
     boolean mayFail() {
         return checks || states.stream().anyMatch(this::forbids);
+    }
+
+    /** Statements cannot be written as statements, and there are too many ways through them. */
+    public static final class OnlyStatements extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Component component;
+
+        private OnlyStatements(Component component, String state) {
+            super(
+                    "state "
+                            + state
+                            + " has statements with too many ways through them to write each as a"
+                            + " transition; a target that takes statements (entry 'statements')"
+                            + " writes them as they stand, and random choices are generated where"
+                            + " they are all that leads out of the state: else generate with"
+                            + " --choose first");
+            this.component = component;
+        }
+
+        public Component component() {
+            return component;
+        }
     }
 
     /**

@@ -173,7 +173,10 @@ public final class Program {
                                         component,
                                         () ->
                                                 AutomatonPlan.of(
-                                                        context(component), automaton, choosing)));
+                                                        context(component),
+                                                        automaton,
+                                                        choosing,
+                                                        traced)));
     }
 
     /** Whether a component needs the generator of choices. */

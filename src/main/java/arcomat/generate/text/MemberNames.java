@@ -119,8 +119,14 @@ public final class MemberNames {
         return Objects.requireNonNull(parameters.get(parameter.name()));
     }
 
+    /** The field of a variable, or a local variable where the component has no such field. */
     public String of(Variable variable) {
-        return Objects.requireNonNull(variables.get(variable.name()));
+        String field = variables.get(variable.name());
+        if (field != null) {
+            return field;
+        }
+        String[] words = variable.name().split(" ", 2);
+        return local(words[0], words.length == 1 ? "" : words[1].replace(' ', '_'));
     }
 
     /** The field of a node of the composition. */

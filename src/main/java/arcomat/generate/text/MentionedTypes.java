@@ -72,6 +72,11 @@ public final class MentionedTypes {
         automaton.variables().forEach(this::add);
         automaton.initials().stream().flatMap(WrittenExpressions::of).forEach(this::add);
         automaton.transitions().stream().flatMap(WrittenExpressions::of).forEach(this::add);
+        automaton.transitions().stream()
+                .flatMap(each -> each.body().stream())
+                .distinct()
+                .flatMap(body -> body.statement().expressions().stream())
+                .forEach(this::add);
     }
 
     private void add(Expression expression) {

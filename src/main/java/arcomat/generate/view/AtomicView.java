@@ -88,6 +88,8 @@ public record AtomicView(
      * @param target constant or code of the next state, empty where the state stays
      * @param mark for the line that is reached exactly where the transition has been taken; the
      *     file does not have it
+     * @param statements what is done, where it is written as statements; there are neither locals
+     *     nor messages nor assignments then
      */
     public record TransitionView(
             int index,
@@ -97,7 +99,58 @@ public record AtomicView(
             List<AssignmentView> messages,
             List<AssignmentView> assignments,
             String target,
-            String mark) {}
+            String mark,
+            StatementsView statements) {
+        /** One that is not written as statements. */
+        public TransitionView(
+                int index,
+                String comment,
+                String condition,
+                List<FieldView> locals,
+                List<AssignmentView> messages,
+                List<AssignmentView> assignments,
+                String target,
+                String mark) {
+            this(
+                    index,
+                    comment,
+                    condition,
+                    locals,
+                    messages,
+                    assignments,
+                    target,
+                    mark,
+                    StatementsView.NONE);
+        }
+    }
+
+    /**
+     * Statements, line by line.
+     *
+     * @param label names the place behind them, where they may stop before anything is done; empty
+     *     where they do not
+     * @param way local variable with the number of the transition that they stand for; empty where
+     *     that is known
+     */
+    public record StatementsView(List<LineView> lines, String label, String way) {
+        public static final StatementsView NONE = new StatementsView(List.of(), "", "");
+
+        public StatementsView {
+            lines = List.copyOf(lines);
+        }
+    }
+
+    /**
+     * A line of statements.
+     *
+     * @param kind {@code declare}, {@code assign}, {@code call}, {@code if}, {@code elseif}, {@code
+     *     else}, {@code end}, {@code stop} or {@code count}
+     * @param depth of choices that it stands in
+     * @param type of what is declared; else empty
+     * @param target what gets a value, or is called with it
+     * @param value the value, or the condition
+     */
+    public record LineView(String kind, int depth, String type, String target, String value) {}
 
     /**
      * Some transitions of a state that has too many for one method.

@@ -4,6 +4,7 @@ import arcomat.generate.language.Places;
 import arcomat.generate.plan.AutomatonPlan;
 import arcomat.generate.text.ExpressionWriter;
 import arcomat.generate.text.FileContext;
+import arcomat.generate.text.Formula;
 import arcomat.generate.text.LineMarks;
 import arcomat.generate.view.AtomicView;
 import arcomat.generate.view.AtomicView.ChunkView;
@@ -21,6 +22,7 @@ import arcomat.semantics.expression.Fault;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 
 /**
  * The view of a component with an automaton. Its states with their transitions are in methods that
@@ -35,9 +37,14 @@ public final class AtomicViews {
     private final Automaton automaton;
     private final Effects effects;
     private final LongConditions conditions;
+    private final boolean traced;
 
-    public AtomicViews(FileContext context, AutomatonPlan plan) {
+    /**
+     * @param traced whether somebody looks at which transition was taken
+     */
+    public AtomicViews(FileContext context, AutomatonPlan plan, boolean traced) {
         this.context = context;
+        this.traced = traced;
         this.component = context.component();
         this.plan = plan;
         this.automaton = plan.automaton();
@@ -45,7 +52,7 @@ public final class AtomicViews {
         this.conditions = new LongConditions(context);
     }
 
-    public AtomicView view(HeadView head, boolean traced) {
+    public AtomicView view(HeadView head) {
         Declarations declarations = new Declarations(component, context);
         List<Variable> computed = new ArrayList<>(component.constants());
         computed.addAll(automaton.variables());
@@ -174,13 +181,27 @@ public final class AtomicViews {
 
     private TransitionView transition(AutomatonPlan.Way way, boolean always) {
         Automaton.Transition transition = way.transition();
+        boolean stays = transition.source() == transition.target();
+        if (way.block().isPresent()) {
+            return new TransitionView(
+                    way.index(),
+                    Places.quote(transition.span()),
+                    way.asked().equals(Formula.TRUE)
+                            ? ""
+                            : conditions.text(way.index(), way.asked()),
+                    List.of(),
+                    List.of(),
+                    List.of(),
+                    stays ? "" : label(transition.target()),
+                    LineMarks.transition(way.index()),
+                    new StatementViews(context, automaton, effects, way, traced).view());
+        }
         ExpressionWriter text =
                 context.expressions()
                         .at(Fault.place(component, automaton, transition))
                         .where(way.enabled());
         Effects.Effect effect =
                 effects.ofTransition(text, transition.sends(), transition.assignments());
-        boolean stays = transition.source() == transition.target();
         return new TransitionView(
                 way.index(),
                 Places.quote(transition.span()),
@@ -196,9 +217,15 @@ public final class AtomicViews {
         return effects.silences(
                 plan.states().stream()
                         .flatMap(state -> state.ways().stream())
-                        .map(AutomatonPlan.Way::transition)
+                        .flatMap(AtomicViews::transitions)
                         .toList(),
                 completes);
+    }
+
+    private static Stream<Automaton.Transition> transitions(AutomatonPlan.Way way) {
+        return way.block()
+                .map(block -> block.transitions().stream())
+                .orElse(Stream.of(way.transition()));
     }
 
     private CompletionView completion(List<SectionView> sections) {

@@ -166,6 +166,19 @@ final class Effects {
                         .toList();
     }
 
+    /** What a port carries, in the profile of slices. */
+    List<AssignmentView> emitted(ExpressionWriter text, Port port, Automaton.Emission emission) {
+        List<String> messages = messages(text, port, List.of(new Send(port, emission)));
+        return messages.isEmpty() ? silence(port) : sent(port, messages.get(0));
+    }
+
+    /** Calls of the method that sends, in the profile of events. */
+    List<AssignmentView> calls(ExpressionWriter text, Port port, Automaton.Emission emission) {
+        return messages(text, port, List.of(new Send(port, emission))).stream()
+                .map(value -> new AssignmentView(members.method(port), value))
+                .toList();
+    }
+
     private List<AssignmentView> sent(Port port, String message) {
         ExpressionWriter text = context.expressions();
         List<AssignmentView> fields = new ArrayList<>();

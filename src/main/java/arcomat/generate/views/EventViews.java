@@ -29,7 +29,7 @@ public final class EventViews {
         MemberNames members = context.members();
         return new EventView(
                 head,
-                new AtomicViews(context, plan).view(head, program.traced()),
+                new AtomicViews(context, plan, program.traced()).view(head),
                 ports(context, context.component().inputs(), head.inputs()),
                 ports(context, context.component().outputs(), head.outputs()),
                 context.component().queueCapacity(),

@@ -1,5 +1,6 @@
 package arcomat.generate.views;
 
+import arcomat.generate.view.AtomicView.LineView;
 import arcomat.generate.view.AtomicView.StateView;
 import arcomat.generate.view.AtomicView.TransitionView;
 import arcomat.generate.view.HeadView.AssignmentView;
@@ -87,6 +88,9 @@ public final class MethodSize {
         }
         for (AssignmentView assignment : transition.assignments()) {
             words += words(assignment.target()) + words(assignment.value());
+        }
+        for (LineView line : transition.statements().lines()) {
+            words += 1 + words(line.target()) + words(line.value());
         }
         return PER_TRANSITION + words * PER_WORD;
     }

@@ -3,6 +3,7 @@ package arcomat.semantics.automaton;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
+import arcomat.model.Statement;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Reaction;
@@ -112,7 +113,13 @@ public final class ComponentSemantics {
     public static Set<String> written(Automaton automaton) {
         Set<String> names = new HashSet<>();
         automaton.initials().forEach(i -> i.sends().forEach(s -> names.add(s.port().name())));
-        automaton.transitions().forEach(t -> t.sends().forEach(s -> names.add(s.port().name())));
+        for (Automaton.Transition transition : automaton.transitions()) {
+            transition.sends().forEach(send -> names.add(send.port().name()));
+            if (transition.isWhole()) {
+                Statement statement = transition.body().orElseThrow().statement();
+                statement.sends().forEach(send -> names.add(send.port().name()));
+            }
+        }
         return names;
     }
 

@@ -18,6 +18,7 @@ import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.expression.Term;
+import arcomat.semantics.statement.Carried;
 import arcomat.semantics.value.InputAbstraction;
 
 import java.util.ArrayList;
@@ -72,7 +73,7 @@ public final class StepRelation {
                                 .toList());
         scope = new Scope(component, arguments, automaton);
         shown = ShownVariables.of(component, automaton);
-        prepareTransitions(owned);
+        prepareTransitions(owned, arguments);
         prepareStarts(owned);
     }
 
@@ -98,7 +99,7 @@ public final class StepRelation {
         return messages;
     }
 
-    private void prepareTransitions(Set<String> owned) {
+    private void prepareTransitions(Set<String> owned, List<Value> arguments) {
         for (int i = 0; i < automaton.states().size(); i++) {
             byState.add(new ArrayList<>(2));
             attentions.add(new AbstractionOfInputs(component, scope));
@@ -106,7 +107,7 @@ public final class StepRelation {
         Guards guards = new Guards(component.profile());
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition transition = automaton.transitions().get(i);
-            Expression enabledWhen = guards.enabledWhen(automaton, transition);
+            Expression enabledWhen = enabledWhen(guards, transition);
             attentions.get(transition.source()).add(enabledWhen, transition);
             ReadyTransition ready =
                     new ReadyTransition(
@@ -114,10 +115,29 @@ public final class StepRelation {
                             automaton,
                             Evaluation.compile(enabledWhen, scope),
                             effect(owned, transition.sends(), transition.assignments()),
+                            carried(owned, arguments, transition),
                             new Trace.Taken(i, transition));
             transitions.add(ready);
             byState.get(transition.source()).add(ready);
         }
+    }
+
+    /** Of statements, what has to hold before they are looked at. */
+    private Expression enabledWhen(Guards guards, Automaton.Transition transition) {
+        return transition.isWhole()
+                ? guards.enabledWhen(
+                        automaton,
+                        transition.with(
+                                transition.guard(), transition.matches(), List.of(), List.of()))
+                : guards.enabledWhen(automaton, transition);
+    }
+
+    private Optional<Carried> carried(
+            Set<String> owned, List<Value> arguments, Automaton.Transition transition) {
+        return transition
+                .body()
+                .filter(body -> transition.isWhole())
+                .map(body -> new Carried(component, automaton, body, owned, arguments));
     }
 
     private void prepareStarts(Set<String> owned) {

@@ -12,6 +12,7 @@ import arcomat.semantics.value.InputAbstraction.Copied;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.InputAbstraction.Unseen;
 import arcomat.semantics.value.InputAbstraction.Whole;
+import arcomat.semantics.value.TooManyWays;
 
 import org.jspecify.annotations.Nullable;
 
@@ -43,6 +44,9 @@ public final class AbstractionOfInputs extends ConditionWalk {
     private final List<Integer> seen = new ArrayList<>();
     private @Nullable InputAbstraction constant;
 
+    /** Whether statements look at ports, on ways of which there are too many to be looked at. */
+    private boolean open;
+
     public AbstractionOfInputs(Component component, Scope scope) {
         this.scope = scope;
         this.ports = component.inputs().size();
@@ -51,6 +55,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
 
     /** Adds what a transition looks at. */
     public void add(Expression enabledWhen, Automaton.Transition transition) {
+        open |= transition.isWhole();
         condition(enabledWhen);
         for (Automaton.Send send : transition.sends()) {
             send.emission().values().forEach(this::copy);
@@ -58,8 +63,15 @@ public final class AbstractionOfInputs extends ConditionWalk {
         transition.assignments().forEach(assignment -> copy(assignment.value()));
     }
 
-    /** What is looked at with certain values of the variables. */
+    /**
+     * What is looked at with certain values of the variables.
+     *
+     * @throws TooManyWays where statements look at more than can be said
+     */
     public InputAbstraction with(Value[] variables) {
+        if (open) {
+            throw new TooManyWays();
+        }
         if (constant != null) {
             return constant;
         }
@@ -175,7 +187,24 @@ public final class AbstractionOfInputs extends ConditionWalk {
 
     @Override
     void value(Expression e) {
-        e.ports().forEach(this::whole);
+        if (e instanceof Expression.Conditional choice) {
+            condition(choice.condition());
+            value(choice.then());
+            value(choice.otherwise());
+        } else if (isCalculated(e)) {
+            e.operands().forEach(this::value);
+        } else {
+            e.ports().forEach(this::whole);
+        }
+    }
+
+    /** Whether a value is a number that depends on its operands, and on nothing else. */
+    private static boolean isCalculated(Expression e) {
+        return e.type().isNumber()
+                && !e.operands().isEmpty()
+                && (e instanceof Expression.Binary
+                        || e instanceof Expression.Unary
+                        || e instanceof Expression.Cast);
     }
 
     private void whole(Port port) {

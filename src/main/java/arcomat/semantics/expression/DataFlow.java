@@ -5,6 +5,7 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -63,6 +64,9 @@ public final class DataFlow extends ConditionWalk {
             effect(initial.sends(), initial.assignments());
         }
         for (Automaton.Transition transition : automaton.transitions()) {
+            if (transition.isWhole()) {
+                throw new TooManyWays();
+            }
             for (Automaton.Match match : transition.matches()) {
                 pattern(match.port(), match.pattern());
             }

@@ -141,7 +141,8 @@ public final class Formulas {
         return new Expression.PortMatches(port, new Automaton.Present(), because.span());
     }
 
-    private boolean mayBeAbsent(Port port) {
+    /** Whether a port may carry no message. */
+    boolean mayBeAbsent(Port port) {
         return port.first().isEmpty() && !(port.total() && totalPortsAlwaysPresent);
     }
 
@@ -150,7 +151,12 @@ public final class Formulas {
         return simplify(expression, new HashSet<>());
     }
 
-    private Expression simplify(Expression e, Set<String> present) {
+    /**
+     * As above.
+     *
+     * @param present names of ports that carry a message for certain
+     */
+    Expression simplify(Expression e, Set<String> present) {
         if (e instanceof Expression.PortMatches matches) {
             boolean certain =
                     present.contains(matches.port().name()) || !mayBeAbsent(matches.port());

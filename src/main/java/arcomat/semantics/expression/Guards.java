@@ -13,6 +13,7 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
 import arcomat.model.Type;
 import arcomat.semantics.expression.DeepConditions.Connective;
+import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -57,8 +58,15 @@ public final class Guards {
         return formulas.simplify(condition);
     }
 
-    /** What a transition asks by its input block, its guard, and what it reads. */
+    /**
+     * What a transition asks by its input block, its guard, and what it reads.
+     *
+     * @throws TooManyWays where statements ask it that cannot be said as one condition
+     */
     public Expression asked(Automaton.Transition transition) {
+        if (transition.isWhole()) {
+            throw new TooManyWays();
+        }
         Expression condition = TRUE;
         for (Automaton.Match match : transition.matches()) {
             condition = and(condition, fits(matches(match, transition)));
@@ -115,6 +123,9 @@ public final class Guards {
         }
         for (Automaton.Assignment assignment : transition.assignments()) {
             addReading(assignment.variable().name(), assignment.value(), clauses);
+        }
+        if (transition.isWhole()) {
+            clauses.add(new Clause(FALSE, FALSE, "a way through its statements", false));
         }
         return clauses;
     }
@@ -197,7 +208,8 @@ public final class Guards {
         }
     }
 
-    private Expression isTrue(Expression guard) {
+    /** That a condition has a value, which is true. */
+    Expression isTrue(Expression guard) {
         return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
     }
 

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** What names mean in the expressions of one automaton of one instance. */
 public final class Scope {
@@ -66,6 +67,22 @@ public final class Scope {
     public Scope(Component component, List<Value> arguments, Automaton automaton) {
         this(component, arguments);
         automaton.variables().forEach(v -> variables.put(v.name(), variables.size()));
+    }
+
+    /** The same with further variables behind those of the automaton. */
+    public Scope with(List<Variable> locals) {
+        Scope scope = new Scope();
+        scope.ports.putAll(ports);
+        scope.variables.putAll(variables);
+        scope.fixed.putAll(fixed);
+        scope.parameters.putAll(parameters);
+        locals.forEach(v -> scope.variables.put(v.name(), scope.variables.size()));
+        return scope;
+    }
+
+    /** The slot of a variable that is no constant. */
+    public int slot(Variable variable) {
+        return Objects.requireNonNull(variables.get(variable.name()));
     }
 
     /**

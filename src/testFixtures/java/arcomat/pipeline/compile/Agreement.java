@@ -55,6 +55,20 @@ public final class Agreement {
         return this;
     }
 
+    /**
+     * As above, with code that has been compiled with that of others.
+     *
+     * @param all has the component as a part
+     */
+    public Agreement holdsIn(CompiledModel all, int words, int letters) {
+        CompiledModel model =
+                new CompiledModel(component, all.choosing(), all.layout(), all.loader());
+        for (int word = 0; word < words; word++) {
+            compare(model, all.choosing(), word, letters);
+        }
+        return this;
+    }
+
     /** Instance path and transition index of every transition that was taken. */
     public Set<String> transitionsTaken() {
         return transitionsTaken;

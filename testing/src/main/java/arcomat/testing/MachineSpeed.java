@@ -8,8 +8,8 @@ import java.util.Map;
 
 /**
  * How much longer a computation takes now than on the quiet machine that the times of the project
- * were measured on. Processor time is no constant: processes beside each other share caches and
- * the units of a core.
+ * were measured on. Processor time is no constant: processes beside each other share caches and the
+ * units of a core.
  */
 final class MachineSpeed {
     /** Seconds of processor time that the work takes on that machine. */

@@ -130,9 +130,9 @@ final class CoveragePlan {
 
     private ProgramItems.OfClass ofClass(AutomatonLines lines, CoverageItems items) {
         ItemNumbers numbers = items.ofAutomaton(place(lines));
-        int transitions = lines.automaton().transitions().size();
+        List<Integer> counted = counted(lines);
         List<Integer> noted = new ArrayList<>();
-        for (int i = 0; i < transitions; i++) {
+        for (int i : counted) {
             noted.add(lines.lines().transitions().getOrDefault(i, 0));
         }
         for (int i = 0; i < lines.automaton().initials().size(); i++) {
@@ -141,15 +141,16 @@ final class CoveragePlan {
         return new ProgramItems.OfClass(
                 numbers.transition(),
                 numbers.initial(),
-                transitions,
+                counted.size(),
                 new NotedLines(lines.className(), noted));
     }
 
     private static AutomatonItems items(AutomatonLines lines) {
         Automaton automaton = lines.automaton();
         List<AutomatonItems.Transition> transitions = new ArrayList<>();
-        for (Automaton.Transition each : automaton.transitions()) {
-            boolean coded = lines.lines().transitions().containsKey(transitions.size());
+        for (int i : counted(lines)) {
+            Automaton.Transition each = automaton.transitions().get(i);
+            boolean coded = lines.lines().transitions().containsKey(i);
             transitions.add(
                     new AutomatonItems.Transition(
                             line(each.span()), text(each.span()), each.target(), coded));
@@ -168,6 +169,15 @@ final class CoveragePlan {
                 transitions,
                 states,
                 automaton.initials().stream().map(Automaton.Initial::state).toList());
+    }
+
+    /** Of the ways through statements the first stands for all. */
+    private static List<Integer> counted(AutomatonLines lines) {
+        List<Automaton.Transition> all = lines.automaton().transitions();
+        return IntStream.range(0, all.size())
+                .filter(i -> i == 0 || !all.get(i).isSameStatements(all.get(i - 1)))
+                .boxed()
+                .toList();
     }
 
     private static int line(Span span) {

@@ -3,21 +3,28 @@ package arcomat.check.behaviour.action;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ActionSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.ValueSymbol;
+import arcomat.tree.Expression;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
 
 /**
- * ARC0345: statements stand for so many ways through them, and for values of such a size, that
- * everybody can look at all of them.
+ * ARC0345: a value that has to be written out, with names standing for what was assigned to them,
+ * has a size that everybody can look at. That is what may go wrong or read a silent port, since it
+ * is not computed before it is certain that it is needed, and all that comes before the first
+ * slice.
  */
 public final class ActionsBounded implements Check.OnActions {
-    /** Ways through the statements of one transition; each is a transition of the automaton. */
-    private static final long MOST_WAYS = 64;
-
     /** Names, literals and operators of one value, where names stand for what was assigned. */
     private static final long LARGEST = 2_000;
 
@@ -26,55 +33,22 @@ public final class ActionsBounded implements Check.OnActions {
 
     @Override
     public void check(ActionSymbol actions, Context context, Findings findings) {
-        long ways = actions.match(new Ways());
-        if (ways > MOST_WAYS) {
-            findings.report(
-                    actions.choices().get(0).condition().expression().node(),
-                    "there are %s ways through these statements, and at most %s are looked at;"
-                            + " choose values by 'if .. then .. else ..', or write several"
-                            + " transitions",
-                    ways >= TOO_MUCH ? "far too many" : ways,
-                    MOST_WAYS);
-            return;
-        }
-        actions.match(new Sizes(findings));
-    }
-
-    /** How many ways there are. */
-    private static final class Ways implements ActionSymbol.Cases<Long> {
-        @Override
-        public Long sequence(ActionSymbol.Sequence sequence) {
-            long ways = 1;
-            for (ActionSymbol each : sequence.actions()) {
-                ways = Math.min(TOO_MUCH, ways * each.match(this));
-            }
-            return ways;
-        }
-
-        @Override
-        public Long choose(ActionSymbol.Choose choice) {
-            long otherwise = choice.otherwise().map(each -> each.match(this)).orElse(1L);
-            return Math.min(TOO_MUCH, choice.then().match(this) + otherwise);
-        }
-
-        @Override
-        public Long assign(ActionSymbol.Assign assign) {
-            return 1L;
-        }
-
-        @Override
-        public Long declare(ActionSymbol.Declare declare) {
-            return 1L;
-        }
+        boolean initial = context.side().equals(Optional.of(Side.INITIAL));
+        actions.match(new Sizes(findings, initial));
     }
 
     /** How large values become at most, whichever way is taken. */
     private static final class Sizes implements ActionSymbol.Cases<Boolean> {
         private final Findings findings;
+        private final boolean all;
         private Map<ValueSymbol, Long> sizes = new HashMap<>();
 
-        Sizes(Findings findings) {
+        /**
+         * @param all whether all values are written out
+         */
+        Sizes(Findings findings, boolean all) {
             this.findings = findings;
+            this.all = all;
         }
 
         @Override
@@ -87,13 +61,36 @@ public final class ActionsBounded implements Check.OnActions {
             if (!isSmall(choice.condition())) {
                 return false;
             }
-            Map<ValueSymbol, Long> before = new HashMap<>(sizes);
+            Map<ValueSymbol, Long> before = sizes;
+            sizes = new HashMap<>(before);
             boolean small = choice.then().match(this);
             Map<ValueSymbol, Long> then = sizes;
-            sizes = before;
+            sizes = new HashMap<>(before);
             small &= choice.otherwise().map(each -> each.match(this)).orElse(true);
-            then.forEach((name, size) -> sizes.merge(name, size, Math::max));
+            join(before, then);
             return small;
+        }
+
+        /** A value that one of two ways changes says which of them was gone. */
+        private void join(Map<ValueSymbol, Long> before, Map<ValueSymbol, Long> then) {
+            Set<ValueSymbol> names = new HashSet<>(then.keySet());
+            names.addAll(sizes.keySet());
+            for (ValueSymbol name : names) {
+                Long first = then.get(name);
+                Long second = sizes.get(name);
+                Long unchanged = before.get(name);
+                if (first == null && second == null) {
+                    sizes.remove(name);
+                } else if (!Objects.equals(first, unchanged)
+                        || !Objects.equals(second, unchanged)) {
+                    long both = 1 + or1(first) + or1(second);
+                    sizes.put(name, Math.min(TOO_MUCH, both));
+                }
+            }
+        }
+
+        private static long or1(@Nullable Long size) {
+            return size == null ? 1 : size;
         }
 
         @Override
@@ -103,7 +100,7 @@ public final class ActionsBounded implements Check.OnActions {
                 if (!isSmall(each)) {
                     return false;
                 }
-                item.target().found().ifPresent(target -> sizes.put(target, size(each)));
+                item.target().found().ifPresent(target -> put(target, each));
             }
             return true;
         }
@@ -116,10 +113,38 @@ public final class ActionsBounded implements Check.OnActions {
                     if (!isSmall(initial)) {
                         return false;
                     }
-                    sizes.put(local.variable(), size(initial));
+                    put(local.variable(), initial);
                 }
             }
             return true;
+        }
+
+        private void put(ValueSymbol name, Typed value) {
+            if (isWrittenOut(value)) {
+                sizes.put(name, size(value));
+            } else {
+                sizes.remove(name);
+            }
+        }
+
+        /** Whether a value is not computed where it is assigned. */
+        private boolean isWrittenOut(Typed value) {
+            boolean[] unsure = {all};
+            value.expression().walk(part -> unsure[0] |= isUnsure(part));
+            return unsure[0];
+        }
+
+        private boolean isUnsure(TypedExpression part) {
+            if (part instanceof TypedExpression.VariableRead read) {
+                return sizes.containsKey(read.variable());
+            }
+            return part instanceof TypedExpression.PortRead read && !read.port().isTotal()
+                    || part.node() instanceof Expression.Binary binary && divides(binary);
+        }
+
+        private static boolean divides(Expression.Binary binary) {
+            return binary.operator() == Expression.BinaryOperator.DIVIDE
+                    || binary.operator() == Expression.BinaryOperator.REMAINDER;
         }
 
         private boolean isSmall(Typed value) {
@@ -128,10 +153,14 @@ public final class ActionsBounded implements Check.OnActions {
                 findings.report(
                         value.expression().node(),
                         "written out with what was assigned before, this value has %s parts, and at"
-                                + " most %s are looked at; keep something in between in a variable"
-                                + " of the automaton, and go on in the next step",
+                                + " most %s are looked at%s",
                         size >= TOO_MUCH ? "far too many" : size,
-                        LARGEST);
+                        LARGEST,
+                        all
+                                ? " before the first slice; compute it in a transition"
+                                : " where something may go wrong or be missing; keep something in"
+                                        + " between in a variable of the automaton, and go on in"
+                                        + " the next step");
             }
             return size <= LARGEST;
         }

@@ -9,6 +9,7 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.value.SmallType;
+import arcomat.semantics.value.TooManyWays;
 
 import java.util.BitSet;
 import java.util.List;
@@ -32,6 +33,9 @@ public record Subject(
      * @throws arcomat.semantics.expression.Fault where constants or initial values go wrong
      */
     public static Subject of(Component component, Automaton automaton, List<Value> arguments) {
+        if (component.isOnlyRun()) {
+            throw new TooManyWays();
+        }
         ComponentSemantics behaviour =
                 ComponentSemantics.of(component, List.of(automaton), arguments);
         return new Subject(

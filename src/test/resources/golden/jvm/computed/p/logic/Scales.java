@@ -2,6 +2,8 @@
 
 package p.logic;
 
+import arcomat.rt.Check;
+
 /** Component p.Scales. */
 public final class Scales {
     /** total in Integer[0..9] weight */
@@ -40,28 +42,28 @@ public final class Scales {
         hasHeavy = false;
 
         // line 12: compute { var Integer before = total; total += weight; if (tare == true) { total = total - before; found = 0; } else if ..
-        if (hasTare && tare) {
-            sum = total + weight - total + total;
-            hasSum = true;
-            total = total + weight - total;
-            found = 0;
-            return;
-        }
-        // line 12: compute { var Integer before = total; total += weight; if (tare == true) { total = total - before; found = 0; } else if ..
-        if (hasTare && weight > 4 && found < 9) {
-            sum = total + weight + total;
-            hasSum = true;
-            heavy = found + 1;
-            hasHeavy = true;
-            total = total + weight;
-            found = found + 1;
-            return;
-        }
-        // line 12: compute { var Integer before = total; total += weight; if (tare == true) { total = total - before; found = 0; } else if ..
         if (hasTare) {
-            sum = total + weight + total;
-            hasSum = true;
+            boolean chosen2 = false;
+            boolean chosen1 = false;
+            int before = total;
             total = total + weight;
+            if (tare) {
+                chosen1 = true;
+                total = total - before;
+                found = 0;
+            } else if (weight > 4 && found < 9) {
+                chosen2 = true;
+                found = found + 1;
+            }
+            sum = total + before;
+            hasSum = true;
+            found = Check.range(found, 0, 9, "Scales, computing -> computing (line 12): found");
+            if (!chosen1) {
+                if (chosen2) {
+                    heavy = Check.range(found, 0, 9, "Scales, computing -> computing (line 12): heavy");
+                    hasHeavy = true;
+                }
+            }
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.

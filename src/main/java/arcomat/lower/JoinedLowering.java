@@ -1,0 +1,218 @@
+package arcomat.lower;
+
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Statement;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+
+/**
+ * Statements as what happens at once, where there are many ways through them: ways that have been
+ * told apart by a choice become one again behind it, as far as one transition can say both.
+ */
+final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
+    private final JoinedPath.Ports ports;
+    private final int most;
+    private final List<JoinedPath> before;
+
+    private JoinedLowering(JoinedPath.Ports ports, int most, List<JoinedPath> before) {
+        this.ports = ports;
+        this.most = most;
+        this.before = before;
+    }
+
+    /** It takes more than is wanted. */
+    private static final class TooMany extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        TooMany() {
+            super("too many", null, false, false);
+        }
+    }
+
+    /**
+     * What stands for the statements; their conditions exclude each other.
+     *
+     * @param sliced whether total ports always carry a message
+     * @param most how many there may be at most
+     * @param largest of how many parts a value or a condition may be
+     * @return nothing where there would be more, or larger ones
+     */
+    static Optional<List<ActionPath>> lower(
+            Statement statement, boolean sliced, int most, long largest) {
+        try {
+            List<JoinedPath> start = List.of(JoinedPath.EMPTY);
+            List<ActionPath> paths =
+                    statement
+                            .match(new JoinedLowering(new JoinedPath.Ports(sliced), most, start))
+                            .stream()
+                            .map(JoinedPath::path)
+                            .toList();
+            Map<Expression, Long> sizes = new IdentityHashMap<>();
+            boolean small =
+                    paths.stream()
+                            .flatMap(path -> path.expressions().stream())
+                            .allMatch(each -> size(each, largest, sizes) <= largest);
+            return small ? Optional.of(paths) : Optional.empty();
+        } catch (TooMany tooMany) {
+            return Optional.empty();
+        }
+    }
+
+    private static long size(Expression e, long largest, Map<Expression, Long> sizes) {
+        Long known = sizes.get(e);
+        if (known != null) {
+            return known;
+        }
+        long size = 1;
+        for (Expression operand : e.operands()) {
+            size = Math.min(largest + 1, size + size(operand, largest, sizes));
+        }
+        sizes.put(e, size);
+        return size;
+    }
+
+    private List<JoinedPath> each(UnaryOperator<ActionPath> change) {
+        return before.stream().map(each -> each.with(change.apply(each.path()))).toList();
+    }
+
+    @Override
+    public List<JoinedPath> sequence(Statement.Sequence sequence) {
+        List<JoinedPath> paths = before;
+        Set<Variable> here = new HashSet<>();
+        for (Statement each : sequence.statements()) {
+            paths = each.match(new JoinedLowering(ports, most, paths));
+            if (each instanceof Statement.Declare declare) {
+                here.add(declare.local());
+            }
+        }
+        return here.isEmpty() ? paths : paths.stream().map(each -> each.without(here)).toList();
+    }
+
+    @Override
+    public List<JoinedPath> declare(Statement.Declare declare) {
+        Variable local = declare.local();
+        return each(path -> path.assigning(local, local.initial(), true));
+    }
+
+    @Override
+    public List<JoinedPath> assign(Statement.Assign assign) {
+        return each(
+                path ->
+                        path.assigning(
+                                assign.variable(),
+                                assign.value(),
+                                path.locals().contains(assign.variable())));
+    }
+
+    @Override
+    public List<JoinedPath> send(Statement.Send send) {
+        return each(path -> path.sending(send.send()));
+    }
+
+    @Override
+    public List<JoinedPath> choose(Statement.Choose choose) {
+        List<JoinedPath> after = new ArrayList<>();
+        for (JoinedPath each : before) {
+            after.addAll(choose(choose, each));
+            if (after.size() > most) {
+                throw new TooMany();
+            }
+        }
+        return after;
+    }
+
+    private List<JoinedPath> choose(Statement.Choose choose, JoinedPath path) {
+        Expression condition = path.path().current(choose.condition());
+        if (condition instanceof Expression.Constant constant) {
+            boolean truth = constant.value().equals(new Value.BooleanValue(true));
+            return (truth ? choose.then() : choose.otherwise())
+                    .match(new JoinedLowering(ports, most, List.of(path)));
+        }
+        Expression contrary = Connectives.not(condition);
+        boolean strict = isStrict(condition);
+        JoinedPath start = path.unasked(strict ? ports.of(condition) : Set.of());
+        List<JoinedPath> then = behind(choose.then(), start);
+        List<JoinedPath> otherwise = new ArrayList<>(behind(choose.otherwise(), start));
+        List<JoinedPath> after = new ArrayList<>();
+        for (JoinedPath first : then) {
+            JoinedPath joined = strict ? joined(condition, first, otherwise, path) : null;
+            after.add(joined != null ? joined : first.behind(List.of(condition)));
+        }
+        otherwise.forEach(second -> after.add(second.behind(List.of(contrary))));
+        List<Expression> asked = path.path().conditions();
+        return after.stream().map(each -> each.behind(asked)).toList();
+    }
+
+    private List<JoinedPath> behind(Statement statement, JoinedPath start) {
+        return statement.match(new JoinedLowering(ports, most, List.of(start)));
+    }
+
+    /** With the first of others that it can be joined with, which is left out then. */
+    private @Nullable JoinedPath joined(
+            Expression condition, JoinedPath first, List<JoinedPath> others, JoinedPath path) {
+        for (JoinedPath second : others) {
+            Optional<ActionPath> both = first.join(condition, second, ports);
+            if (both.isPresent()) {
+                others.remove(second);
+                Set<String> present = new HashSet<>(first.present());
+                present.retainAll(second.present());
+                return new JoinedPath(both.get(), present)
+                        .behind(asked(condition, first.path(), second.path(), path));
+            }
+        }
+        return null;
+    }
+
+    /** What is asked of one of two ways, and of the condition that it has a value. */
+    private List<Expression> asked(
+            Expression condition, ActionPath first, ActionPath second, JoinedPath path) {
+        Expression contrary = Connectives.not(condition);
+        boolean unasked = first.conditions().isEmpty() && second.conditions().isEmpty();
+        if (unasked && path.present().containsAll(ports.of(condition)) && !divides(condition)) {
+            return List.of();
+        }
+        List<Expression> then = new ArrayList<>(List.of(condition));
+        then.addAll(first.conditions());
+        List<Expression> otherwise = new ArrayList<>(List.of(contrary));
+        otherwise.addAll(second.conditions());
+        return List.of(
+                Connectives.disjunction(
+                        List.of(
+                                Connectives.conjunction(then),
+                                Connectives.conjunction(otherwise))));
+    }
+
+    /** Whether a condition has a value just where all ports that it reads carry a message. */
+    private boolean isStrict(Expression condition) {
+        return ports.of(condition).isEmpty()
+                || !condition.contains(
+                        e ->
+                                e instanceof Expression.Conditional
+                                        || e instanceof Expression.PortMatches
+                                        || e instanceof Expression.Binary binary
+                                                && (binary.operator() == BinaryOperator.AND
+                                                        || binary.operator() == BinaryOperator.OR
+                                                        || binary.operator()
+                                                                == BinaryOperator.IMPLIES));
+    }
+
+    private static boolean divides(Expression condition) {
+        return condition.contains(
+                e ->
+                        e instanceof Expression.Binary binary
+                                && (binary.operator() == BinaryOperator.DIVIDE
+                                        || binary.operator() == BinaryOperator.REMAINDER));
+    }
+}
