@@ -201,11 +201,14 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
                         e ->
                                 e instanceof Expression.Conditional
                                         || e instanceof Expression.PortMatches
-                                        || e instanceof Expression.Binary binary
-                                                && (binary.operator() == BinaryOperator.AND
-                                                        || binary.operator() == BinaryOperator.OR
-                                                        || binary.operator()
-                                                                == BinaryOperator.IMPLIES));
+                                        || isConnective(e));
+    }
+
+    private static boolean isConnective(Expression e) {
+        return e instanceof Expression.Binary binary
+                && (binary.operator() == BinaryOperator.AND
+                        || binary.operator() == BinaryOperator.OR
+                        || binary.operator() == BinaryOperator.IMPLIES);
     }
 
     private static boolean divides(Expression condition) {

@@ -202,9 +202,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
     private static boolean isCalculated(Expression e) {
         return e.type().isNumber()
                 && !e.operands().isEmpty()
-                && (e instanceof Expression.Binary
-                        || e instanceof Expression.Unary
-                        || e instanceof Expression.Cast);
+                && !(e instanceof Expression.AttributeRead);
     }
 
     private void whole(Port port) {

@@ -16,11 +16,7 @@ public record Interval(BigInteger low, BigInteger high) {
 
     /** Whether a result itself may have to wrap around. */
     public static boolean wraps(Expression e) {
-        return wraps(e, Interval::ofType);
-    }
-
-    private static boolean wraps(Expression e, Function<Expression, Interval> read) {
-        return !unwrapped(e, read).isWithin(ofWidth(e.type()));
+        return !unwrapped(e).isWithin(ofWidth(e.type()));
     }
 
     /** Whether an expression makes an integer of other numbers. */
@@ -49,7 +45,8 @@ public record Interval(BigInteger low, BigInteger high) {
         if (e instanceof Expression.Conditional choice) {
             return of(choice.then(), read).and(of(choice.otherwise(), read));
         }
-        return computes(e) && wraps(e, read) ? ofWidth(e.type()) : unwrapped(e, read);
+        Interval result = unwrapped(e, read);
+        return computes(e) && !result.isWithin(ofWidth(e.type())) ? ofWidth(e.type()) : result;
     }
 
     /** Of what is computed of the values of the operands, before it is made to fit. */

@@ -83,7 +83,7 @@ public final class Presence {
                     && isDefined(binary.right(), where(whereTrue, binary.left(), present));
         }
         return e.operands().stream().allMatch(operand -> isDefined(operand, present))
-                && !(e instanceof Expression.PortRead);
+                && !e.operands().isEmpty();
     }
 
     /**

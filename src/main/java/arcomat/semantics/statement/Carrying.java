@@ -163,10 +163,10 @@ final class Carrying {
             if (isSafe(value, present)) {
                 save(cell.name(), local.name(), place, steps);
                 steps.add(new Step.Declare(cell, value));
-                place.put(local, Meaning.CELL);
+                place.put(local, HeldValue.CELL);
             } else {
                 hoisted.add(cell.name());
-                place.put(local, Meaning.Later.of(value, present));
+                place.put(local, HeldValue.Later.of(value, present));
             }
             return null;
         }
@@ -180,9 +180,9 @@ final class Carrying {
                 save(cell(variable).name(), variable.name(), place, steps);
                 steps.add(new Step.Set(cell(variable), value));
                 note(variable, value);
-                place.put(variable, Meaning.CELL);
+                place.put(variable, HeldValue.CELL);
             } else {
-                place.put(variable, Meaning.Later.of(value, present));
+                place.put(variable, HeldValue.Later.of(value, present));
             }
             return null;
         }
@@ -216,7 +216,7 @@ final class Carrying {
                 steps.add(new Step.Emit(port, emission));
                 place.setDone();
             }
-            place.putPort(port.name(), now ? Meaning.CELL : new Meaning.Later(emission, all));
+            place.putPort(port.name(), now ? HeldValue.CELL : new HeldValue.Later(emission, all));
             return null;
         }
 
@@ -298,14 +298,14 @@ final class Carrying {
             demand(place.port(port.name()), place, steps);
         }
         for (Variable each : kept) {
-            Meaning meaning = place.variable(each.name());
-            if (meaning.equals(Meaning.CELL)) {
+            HeldValue meaning = place.variable(each.name());
+            if (meaning.equals(HeldValue.CELL)) {
                 steps.addAll(keep(each, meaning));
                 continue;
             }
             save(cell(each).name(), each.name(), place, steps);
             steps.addAll(keep(each, place.variable(each.name())));
-            place.put(each, Meaning.CELL);
+            place.put(each, HeldValue.CELL);
         }
         for (Port port : component.outputs()) {
             steps.addAll(emit(port, place.port(port.name())));
@@ -318,7 +318,7 @@ final class Carrying {
         }
     }
 
-    private void demand(Meaning meaning, Place place, List<Step> steps) {
+    private void demand(HeldValue meaning, Place place, List<Step> steps) {
         Expression present = presence.simplify(present(meaning), place.present());
         need(present, place, steps);
         place.learn(presence.where(true, present, place.present()));
@@ -340,11 +340,11 @@ final class Carrying {
         return presence.simplify(all, place.present());
     }
 
-    private static Expression present(Meaning meaning) {
-        if (meaning instanceof Meaning.Later later) {
+    private static Expression present(HeldValue meaning) {
+        if (meaning instanceof HeldValue.Later later) {
             return later.present();
         }
-        if (meaning instanceof Meaning.Either either) {
+        if (meaning instanceof HeldValue.Either either) {
             Expression then = present(either.then());
             Expression otherwise = present(either.otherwise());
             Expression chosen = read(either.chosen());
@@ -355,8 +355,8 @@ final class Carrying {
         return TRUE;
     }
 
-    private List<Step> keep(Variable variable, Meaning meaning) {
-        if (meaning instanceof Meaning.Either either) {
+    private List<Step> keep(Variable variable, HeldValue meaning) {
+        if (meaning instanceof HeldValue.Either either) {
             return List.of(
                     new Step.Choose(
                             read(either.chosen()),
@@ -364,7 +364,7 @@ final class Carrying {
                             keep(variable, either.otherwise())));
         }
         Variable cell = cell(variable);
-        if (meaning instanceof Meaning.Later later) {
+        if (meaning instanceof HeldValue.Later later) {
             return List.of(keep(cell, later.value(), variable));
         }
         return loose.contains(variable.name())
@@ -378,15 +378,15 @@ final class Carrying {
                 : new Step.Keep(cell, value, variable.type(), variable.name());
     }
 
-    private static List<Step> emit(Port port, Meaning meaning) {
-        if (meaning instanceof Meaning.Either either) {
+    private static List<Step> emit(Port port, HeldValue meaning) {
+        if (meaning instanceof HeldValue.Either either) {
             return List.of(
                     new Step.Choose(
                             read(either.chosen()),
                             emit(port, either.then()),
                             emit(port, either.otherwise())));
         }
-        if (meaning instanceof Meaning.Later later) {
+        if (meaning instanceof HeldValue.Later later) {
             return List.of(new Step.Emit(port, later.emission()));
         }
         return List.of();
@@ -477,11 +477,11 @@ final class Carrying {
         return expression.withOperands(each -> current(each, place));
     }
 
-    private Expression current(Expression.VariableRead read, Meaning meaning) {
-        if (meaning instanceof Meaning.Later later) {
+    private Expression current(Expression.VariableRead read, HeldValue meaning) {
+        if (meaning instanceof HeldValue.Later later) {
             return later.value();
         }
-        if (meaning instanceof Meaning.Either either) {
+        if (meaning instanceof HeldValue.Either either) {
             return new Expression.Conditional(
                     read(either.chosen()),
                     current(read, either.then()),

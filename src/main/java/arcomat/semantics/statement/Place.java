@@ -16,17 +16,17 @@ import java.util.function.UnaryOperator;
 /** What is known at a place of statements while they are turned into steps. */
 final class Place {
     /** By name; a variable that is not there stands in its cell, a port has not been sent on. */
-    private final Map<String, Meaning> variables;
+    private final Map<String, HeldValue> variables;
 
-    private final Map<String, Meaning> ports;
+    private final Map<String, HeldValue> ports;
     private Set<String> present;
 
     /** Whether something has been done that others see. */
     private boolean done;
 
     private Place(
-            Map<String, Meaning> variables,
-            Map<String, Meaning> ports,
+            Map<String, HeldValue> variables,
+            Map<String, HeldValue> ports,
             Set<String> present,
             boolean done) {
         this.variables = new HashMap<>(variables);
@@ -60,19 +60,19 @@ final class Place {
         done = true;
     }
 
-    Meaning variable(String name) {
-        return variables.getOrDefault(name, Meaning.CELL);
+    HeldValue variable(String name) {
+        return variables.getOrDefault(name, HeldValue.CELL);
     }
 
-    Meaning port(String name) {
-        return ports.getOrDefault(name, Meaning.CELL);
+    HeldValue port(String name) {
+        return ports.getOrDefault(name, HeldValue.CELL);
     }
 
-    void put(Variable variable, Meaning meaning) {
+    void put(Variable variable, HeldValue meaning) {
         variables.put(variable.name(), meaning);
     }
 
-    void putPort(String name, Meaning meaning) {
+    void putPort(String name, HeldValue meaning) {
         ports.put(name, meaning);
     }
 
@@ -82,7 +82,7 @@ final class Place {
 
     /** Whether something else than a variable itself is computed later from a cell. */
     boolean needs(String cell, String but) {
-        BiPredicate<String, Meaning> reads =
+        BiPredicate<String, HeldValue> reads =
                 (name, meaning) -> !name.equals(but) && meaning.reads(cell);
         return variables.entrySet().stream().anyMatch(e -> reads.test(e.getKey(), e.getValue()))
                 || ports.values().stream().anyMatch(meaning -> meaning.reads(cell));
@@ -122,18 +122,18 @@ final class Place {
     }
 
     private static boolean join(
-            Map<String, Meaning> into,
-            Map<String, Meaning> then,
-            Map<String, Meaning> otherwise,
+            Map<String, HeldValue> into,
+            Map<String, HeldValue> then,
+            Map<String, HeldValue> otherwise,
             Variable chosen) {
         Set<String> names = new LinkedHashSet<>(then.keySet());
         names.addAll(otherwise.keySet());
         boolean asked = false;
         for (String name : names) {
-            Meaning first = then.getOrDefault(name, Meaning.CELL);
-            Meaning second = otherwise.getOrDefault(name, Meaning.CELL);
+            HeldValue first = then.getOrDefault(name, HeldValue.CELL);
+            HeldValue second = otherwise.getOrDefault(name, HeldValue.CELL);
             boolean same = Objects.equals(first, second);
-            into.put(name, same ? first : new Meaning.Either(chosen, first, second));
+            into.put(name, same ? first : new HeldValue.Either(chosen, first, second));
             asked |= !same;
         }
         return asked;

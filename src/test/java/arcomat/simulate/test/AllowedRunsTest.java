@@ -25,7 +25,7 @@ import java.util.Random;
  * as enumeration judges it. More with {@code -Dmodels=100000}, others with {@code -Dfirst=7}.
  */
 class AllowedRunsTest {
-    private static final int MODELS = Integer.getInteger("models", 150);
+    private static final int MODELS = Integer.getInteger("models", 100);
     private static final int FIRST = Integer.getInteger("first", 0);
     private static final int SLICES = 6;
 

@@ -30,8 +30,8 @@ final class MessageReads {
             Set<PortSymbol> all,
             Set<PortSymbol> open,
             Set<PortSymbol> unguarded,
-            Presence presence) {
-        static final Held NOTHING = new Held(Set.of(), Set.of(), Set.of(), Presence.NONE);
+            KnownMessages presence) {
+        static final Held NOTHING = new Held(Set.of(), Set.of(), Set.of(), KnownMessages.NONE);
 
         /** The same, where what it reads counts at the place that assigned it. */
         Held counted() {
@@ -41,7 +41,7 @@ final class MessageReads {
         /** What is the one or the other, and counts at the places that assigned it. */
         Held either(Held other) {
             return new Held(
-                    Presence.all(all, other.all),
+                    KnownMessages.all(all, other.all),
                     Set.of(),
                     Set.of(),
                     presence.either(other.presence));
@@ -49,7 +49,7 @@ final class MessageReads {
     }
 
     private final Function<VariableSymbol, Held> held;
-    private final Map<TypedExpression, Presence> known = new IdentityHashMap<>();
+    private final Map<TypedExpression, KnownMessages> known = new IdentityHashMap<>();
 
     /**
      * @param held what names stand for at this place
@@ -59,38 +59,38 @@ final class MessageReads {
     }
 
     /** What the value of the expression tells. */
-    Presence presence(TypedExpression expression) {
-        Presence before = known.get(expression);
+    KnownMessages presence(TypedExpression expression) {
+        KnownMessages before = known.get(expression);
         if (before != null) {
             return before;
         }
-        Presence found = findPresence(expression);
+        KnownMessages found = findPresence(expression);
         known.put(expression, found);
         return found;
     }
 
-    private Presence findPresence(TypedExpression expression) {
+    private KnownMessages findPresence(TypedExpression expression) {
         return expression.match(new Presences());
     }
 
-    private Presence ofBinary(TypedExpression.Binary binary) {
-        Presence left = presence(binary.left());
-        Presence right = presence(binary.right());
+    private KnownMessages ofBinary(TypedExpression.Binary binary) {
+        KnownMessages left = presence(binary.left());
+        KnownMessages right = presence(binary.right());
         return switch (binary.node().operator()) {
             case AND -> left.and(right);
             case OR -> left.or(right);
             case IMPLIES -> left.negated().or(right);
-            default -> Presence.of(Presence.all(left.always(), right.always()));
+            default -> KnownMessages.of(KnownMessages.all(left.always(), right.always()));
         };
     }
 
-    private Presence ofChoice(TypedExpression.Conditional choice) {
-        Presence condition = presence(choice.condition());
-        Presence branches = presence(choice.then()).either(presence(choice.otherwise()));
-        return new Presence(
-                Presence.all(condition.always(), branches.always()),
-                Presence.all(condition.always(), branches.whenTrue()),
-                Presence.all(condition.always(), branches.whenFalse()));
+    private KnownMessages ofChoice(TypedExpression.Conditional choice) {
+        KnownMessages condition = presence(choice.condition());
+        KnownMessages branches = presence(choice.then()).either(presence(choice.otherwise()));
+        return new KnownMessages(
+                KnownMessages.all(condition.always(), branches.always()),
+                KnownMessages.all(condition.always(), branches.whenTrue()),
+                KnownMessages.all(condition.always(), branches.whenFalse()));
     }
 
     private Set<PortSymbol> ofAll(List<TypedExpression> parts) {
@@ -165,10 +165,10 @@ final class MessageReads {
     private void collectParts(
             TypedExpression expression, Set<PortSymbol> there, Set<PortSymbol> found) {
         if (expression instanceof TypedExpression.Conditional choice) {
-            Presence condition = presence(choice.condition());
+            KnownMessages condition = presence(choice.condition());
             collect(choice.condition(), there, found);
-            collect(choice.then(), Presence.all(there, condition.whenTrue()), found);
-            collect(choice.otherwise(), Presence.all(there, condition.whenFalse()), found);
+            collect(choice.then(), KnownMessages.all(there, condition.whenTrue()), found);
+            collect(choice.otherwise(), KnownMessages.all(there, condition.whenFalse()), found);
         } else {
             expression.parts().forEach(part -> collect(part, there, found));
         }
@@ -177,8 +177,8 @@ final class MessageReads {
     /** What stands beside a part that decides alone does not count where that part does. */
     private void collect(
             TypedExpression.Binary binary, Set<PortSymbol> there, Set<PortSymbol> found) {
-        Presence left = presence(binary.left());
-        Presence right = presence(binary.right());
+        KnownMessages left = presence(binary.left());
+        KnownMessages right = presence(binary.right());
         BinaryOperator operator = binary.node().operator();
         Set<PortSymbol> besideLeft =
                 switch (operator) {
@@ -192,8 +192,8 @@ final class MessageReads {
                     case OR, IMPLIES -> right.whenFalse();
                     default -> Set.of();
                 };
-        collect(binary.left(), Presence.all(there, besideRight), found);
-        collect(binary.right(), Presence.all(there, besideLeft), found);
+        collect(binary.left(), KnownMessages.all(there, besideRight), found);
+        collect(binary.right(), KnownMessages.all(there, besideLeft), found);
     }
 
     private static boolean maySilence(PortSymbol port) {
@@ -201,80 +201,82 @@ final class MessageReads {
     }
 
     /** What the value of each form of expression tells. */
-    private final class Presences implements TypedExpression.Cases<Presence> {
-        private Presence ofParts(TypedExpression expression) {
-            return Presence.of(ofAll(expression.parts()));
+    private final class Presences implements TypedExpression.Cases<KnownMessages> {
+        private KnownMessages ofParts(TypedExpression expression) {
+            return KnownMessages.of(ofAll(expression.parts()));
         }
 
         @Override
-        public Presence literal(TypedExpression.Literal literal) {
-            return Presence.NONE;
+        public KnownMessages literal(TypedExpression.Literal literal) {
+            return KnownMessages.NONE;
         }
 
         @Override
-        public Presence constant(TypedExpression.Constant constant) {
-            return Presence.NONE;
+        public KnownMessages constant(TypedExpression.Constant constant) {
+            return KnownMessages.NONE;
         }
 
         @Override
-        public Presence portRead(TypedExpression.PortRead read) {
-            return maySilence(read.port()) ? Presence.of(Set.of(read.port())) : Presence.NONE;
+        public KnownMessages portRead(TypedExpression.PortRead read) {
+            return maySilence(read.port())
+                    ? KnownMessages.of(Set.of(read.port()))
+                    : KnownMessages.NONE;
         }
 
         @Override
-        public Presence variableRead(TypedExpression.VariableRead read) {
+        public KnownMessages variableRead(TypedExpression.VariableRead read) {
             return held.apply(read.variable()).presence();
         }
 
         @Override
-        public Presence parameterRead(TypedExpression.ParameterRead read) {
-            return Presence.NONE;
+        public KnownMessages parameterRead(TypedExpression.ParameterRead read) {
+            return KnownMessages.NONE;
         }
 
         @Override
-        public Presence attributeRead(TypedExpression.AttributeRead read) {
+        public KnownMessages attributeRead(TypedExpression.AttributeRead read) {
             return ofParts(read);
         }
 
         @Override
-        public Presence unary(TypedExpression.Unary unary) {
-            Presence operand = presence(unary.operand());
+        public KnownMessages unary(TypedExpression.Unary unary) {
+            KnownMessages operand = presence(unary.operand());
             return unary.node().operator() == UnaryOperator.NOT ? operand.negated() : operand;
         }
 
         @Override
-        public Presence binary(TypedExpression.Binary binary) {
+        public KnownMessages binary(TypedExpression.Binary binary) {
             return ofBinary(binary);
         }
 
         @Override
-        public Presence conditional(TypedExpression.Conditional choice) {
+        public KnownMessages conditional(TypedExpression.Conditional choice) {
             return ofChoice(choice);
         }
 
         @Override
-        public Presence membership(TypedExpression.Membership membership) {
+        public KnownMessages membership(TypedExpression.Membership membership) {
             return ofParts(membership);
         }
 
         @Override
-        public Presence absence(TypedExpression.Absence absence) {
-            Presence there = new Presence(Set.of(), Set.of(absence.port()), Set.of());
+        public KnownMessages absence(TypedExpression.Absence absence) {
+            KnownMessages there = new KnownMessages(Set.of(), Set.of(absence.port()), Set.of());
             return absence.node().present() ? there : there.negated();
         }
 
         @Override
-        public Presence cast(TypedExpression.Cast cast) {
+        public KnownMessages cast(TypedExpression.Cast cast) {
             return ofParts(cast);
         }
 
         @Override
-        public Presence newObject(TypedExpression.NewObject newObject) {
+        public KnownMessages newObject(TypedExpression.NewObject newObject) {
             return ofParts(newObject);
         }
 
         @Override
-        public Presence erroneous(TypedExpression.Erroneous erroneous) {
+        public KnownMessages erroneous(TypedExpression.Erroneous erroneous) {
             return ofParts(erroneous);
         }
     }

@@ -45,7 +45,7 @@ final class StatementReads implements ActionSymbol.Cases<StatementReads> {
             TypedExpression value,
             List<Branch> branches,
             Set<PortSymbol> ports,
-            Presence presence) {
+            KnownMessages presence) {
         boolean isCondition() {
             return action instanceof ActionSymbol.Choose;
         }
@@ -167,7 +167,7 @@ final class StatementReads implements ActionSymbol.Cases<StatementReads> {
             all.addAll(held.all());
             Set<PortSymbol> open = messages().open(value, there);
             if (!open.isEmpty()) {
-                found.add(new Read(assign, value, branches, open, Presence.of(open)));
+                found.add(new Read(assign, value, branches, open, KnownMessages.of(open)));
             }
         }
         if (isKept(target)) {
@@ -221,7 +221,7 @@ final class StatementReads implements ActionSymbol.Cases<StatementReads> {
         look(condition);
         MessageReads messages = messages();
         Set<PortSymbol> ports = messages.unguarded(condition, there);
-        Presence told = messages.presence(condition);
+        KnownMessages told = messages.presence(condition);
         if (!ports.isEmpty()) {
             reads.add(new Read(choice, condition, branches, ports, told));
         }
@@ -245,7 +245,7 @@ final class StatementReads implements ActionSymbol.Cases<StatementReads> {
         values = new LinkedHashMap<>(before);
         branches = new ArrayList<>(around);
         branches.add(new Branch(choice, isThen));
-        there = Presence.all(there, told);
+        there = KnownMessages.all(there, told);
         side.filter(each -> !(each instanceof ActionSymbol.Sequence)).ifPresent(single::add);
         side.ifPresent(each -> each.match(this));
         branches = around;

@@ -9,6 +9,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
+import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
@@ -184,6 +185,7 @@ class TransitionTestsTest {
                                 Lowering.lower(workspace).components().stream()
                                         .filter(TransitionTestsTest::isAtomic)
                                         .filter(each -> each.inputs().size() <= MOST_INPUTS)
+                                        .filter(TransitionTestsTest::hasFewWays)
                                         .filter(component -> !component.name().contains("<"))
                                         .map(
                                                 component ->
@@ -217,6 +219,13 @@ class TransitionTestsTest {
                 .as(text)
                 .containsExactlyElementsOf(
                         result.tests().stream().map(TransitionTestsTest::passes).toList());
+    }
+
+    /** Of more ways than transitions, the conditions of the joined ones take minutes to solve. */
+    private static boolean hasFewWays(Component component) {
+        return component.automata().stream()
+                .flatMap(automaton -> automaton.transitions().stream())
+                .allMatch(each -> each.body().map(Automaton.Body::isNumbered).orElse(true));
     }
 
     private static boolean isAtomic(Component component) {

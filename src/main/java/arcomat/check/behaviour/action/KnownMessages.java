@@ -12,39 +12,39 @@ import java.util.Set;
  * @param whenTrue the ports that have a message where it is true
  * @param whenFalse the ports that have a message where it is false
  */
-record Presence(Set<PortSymbol> always, Set<PortSymbol> whenTrue, Set<PortSymbol> whenFalse) {
-    static final Presence NONE = new Presence(Set.of(), Set.of(), Set.of());
+record KnownMessages(Set<PortSymbol> always, Set<PortSymbol> whenTrue, Set<PortSymbol> whenFalse) {
+    static final KnownMessages NONE = new KnownMessages(Set.of(), Set.of(), Set.of());
 
-    Presence {
+    KnownMessages {
         always = Set.copyOf(always);
         whenTrue = Set.copyOf(whenTrue);
         whenFalse = Set.copyOf(whenFalse);
     }
 
     /** Of what has a value only with all these messages. */
-    static Presence of(Set<PortSymbol> ports) {
-        return new Presence(ports, ports, ports);
+    static KnownMessages of(Set<PortSymbol> ports) {
+        return new KnownMessages(ports, ports, ports);
     }
 
-    Presence negated() {
-        return new Presence(always, whenFalse, whenTrue);
+    KnownMessages negated() {
+        return new KnownMessages(always, whenFalse, whenTrue);
     }
 
     /** Of a conjunction: one part that is false is enough. */
-    Presence and(Presence other) {
-        return new Presence(
+    KnownMessages and(KnownMessages other) {
+        return new KnownMessages(
                 common(always, other.always),
                 all(whenTrue, other.whenTrue),
                 common(whenFalse, other.whenFalse));
     }
 
-    Presence or(Presence other) {
+    KnownMessages or(KnownMessages other) {
         return negated().and(other.negated()).negated();
     }
 
     /** Of what is the one or the other. */
-    Presence either(Presence other) {
-        return new Presence(
+    KnownMessages either(KnownMessages other) {
+        return new KnownMessages(
                 common(always, other.always),
                 common(whenTrue, other.whenTrue),
                 common(whenFalse, other.whenFalse));

@@ -8,19 +8,19 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 
 /** What a variable or a port stands for at some place of statements. */
-sealed interface Meaning {
-    Meaning CELL = new Cell();
+sealed interface HeldValue {
+    HeldValue CELL = new Cell();
 
     /** The same with other expressions. */
-    Meaning rewritten(UnaryOperator<Expression> rewrite);
+    HeldValue rewritten(UnaryOperator<Expression> rewrite);
 
     /** Whether an expression in it reads a variable. */
     boolean reads(String variable);
 
     /** What has been computed and stands in its cell; of a port also that nothing is sent. */
-    record Cell() implements Meaning {
+    record Cell() implements HeldValue {
         @Override
-        public Meaning rewritten(UnaryOperator<Expression> rewrite) {
+        public HeldValue rewritten(UnaryOperator<Expression> rewrite) {
             return this;
         }
 
@@ -35,7 +35,7 @@ sealed interface Meaning {
      *
      * @param present two-valued, that there is what it reads
      */
-    record Later(Automaton.Emission emission, Expression present) implements Meaning {
+    record Later(Automaton.Emission emission, Expression present) implements HeldValue {
         static Later of(Expression value, Expression present) {
             return new Later(new Automaton.Messages(List.of(value)), present);
         }
@@ -45,7 +45,7 @@ sealed interface Meaning {
         }
 
         @Override
-        public Meaning rewritten(UnaryOperator<Expression> rewrite) {
+        public HeldValue rewritten(UnaryOperator<Expression> rewrite) {
             return emission instanceof Automaton.Messages messages
                     ? new Later(
                             new Automaton.Messages(
@@ -68,9 +68,9 @@ sealed interface Meaning {
     }
 
     /** One of two, as a variable says that was set where the statements chose. */
-    record Either(Variable chosen, Meaning then, Meaning otherwise) implements Meaning {
+    record Either(Variable chosen, HeldValue then, HeldValue otherwise) implements HeldValue {
         @Override
-        public Meaning rewritten(UnaryOperator<Expression> rewrite) {
+        public HeldValue rewritten(UnaryOperator<Expression> rewrite) {
             return new Either(chosen, then.rewritten(rewrite), otherwise.rewritten(rewrite));
         }
 
