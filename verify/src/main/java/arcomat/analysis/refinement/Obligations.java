@@ -32,6 +32,7 @@ public final class Obligations {
     private final Function<Component, Set<List<Value>>> instances;
     private final List<Obligation> found = new ArrayList<>();
     private final List<String> open = new ArrayList<>();
+    private final List<String> onlyRun = new ArrayList<>();
 
     private Obligations(Model model, Function<Component, Set<List<Value>>> instances) {
         this.model = model;
@@ -43,11 +44,14 @@ public final class Obligations {
      *
      * @param obligations in the order of the components
      * @param open names of components that have some, but take arguments that nobody gives
+     * @param onlyRun names of components that are part of some, and have too many ways through
+     *     statements to be looked at
      */
-    public record All(List<Obligation> obligations, List<String> open) {
+    public record All(List<Obligation> obligations, List<String> open, List<String> onlyRun) {
         public All {
             obligations = List.copyOf(obligations);
             open = List.copyOf(open);
+            onlyRun = List.copyOf(onlyRun);
         }
     }
 
@@ -62,11 +66,15 @@ public final class Obligations {
             Function<Component, Set<List<Value>>> instances) {
         Obligations all = new Obligations(model, instances);
         components.forEach(all::add);
-        return new All(all.found, all.open);
+        return new All(all.found, all.open, all.onlyRun);
     }
 
     private void add(Component component) {
         if (component.refines().isEmpty() && component.requirements().isEmpty()) {
+            return;
+        }
+        if (component.isOnlyRun()) {
+            onlyRun.add(component.qualifiedName());
             return;
         }
         Set<List<Value>> arguments =
@@ -91,6 +99,10 @@ public final class Obligations {
 
     /** Parameters that correspond, as many of the same types, get the same arguments. */
     private void addRefined(Promise own, Component other) {
+        if (other.isOnlyRun()) {
+            onlyRun.add(other.qualifiedName());
+            return;
+        }
         Optional<List<Value>> arguments =
                 types(other).equals(types(own.component()))
                         ? Optional.of(own.arguments())

@@ -90,7 +90,7 @@ public record AnalyzeAutomata(List<String> components, List<String> paths, Analy
     public static Found all(
             LoweredModels models, List<OutsideQuestion> outside, Budget budget, Progress progress) {
         InstancePromises all = new InstancePromises(models);
-        return examine(all.all(), all.withoutArguments(), models, outside, budget, progress);
+        return examine(all.all(), all.open(), models, outside, budget, progress);
     }
 
     private static Promise promise(String written, LoweredModels models) throws WrongUse {

@@ -7,6 +7,7 @@ import arcomat.model.Value;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.semantics.Promise;
+import arcomat.semantics.value.TooManyWays;
 import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
@@ -33,6 +34,9 @@ public final class InstancePromises {
     public List<Promise> all() {
         List<Promise> promises = new ArrayList<>();
         for (Component component : withAutomata()) {
+            if (component.isOnlyRun()) {
+                continue;
+            }
             for (List<Value> arguments : instances.orDefaultsOf(component)) {
                 promises.add(new Promise(component, arguments, component.automata()));
             }
@@ -40,11 +44,13 @@ public final class InstancePromises {
         return promises;
     }
 
-    /** Those that promise nothing definite, since no instance says the arguments. */
-    List<Unexamined> withoutArguments() {
+    /** Those of which nothing is known, as no instance says the arguments or they are too large. */
+    List<Unexamined> open() {
         List<Unexamined> open = new ArrayList<>();
         for (Component component : withAutomata()) {
-            if (instances.orDefaultsOf(component).isEmpty()) {
+            if (component.isOnlyRun()) {
+                open.add(new Unexamined(component.qualifiedName(), "has " + TooManyWays.REASON));
+            } else if (instances.orDefaultsOf(component).isEmpty()) {
                 open.add(new Unexamined(component.qualifiedName(), valuesMissing(component)));
             }
         }

@@ -11,6 +11,7 @@ import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.semantics.Promise;
+import arcomat.semantics.value.TooManyWays;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InvariantSymbol;
 
@@ -61,6 +62,10 @@ final class InvariantAnswers {
 
     private void prove(Component component, Set<List<Value>> arguments) {
         for (Invariant invariant : component.invariants()) {
+            if (component.isOnlyRun()) {
+                answers.add(unknown(component, invariant, "it has " + TooManyWays.REASON));
+                continue;
+            }
             for (List<Value> each : arguments) {
                 Promise side = Promise.of(component, each);
                 progress.step("proving invariant " + invariant.name() + " of " + side.title());
@@ -69,12 +74,17 @@ final class InvariantAnswers {
                 answers.add(Answered.ofInvariant(side, name, invariant.span(), verdict));
             }
             if (arguments.isEmpty()) {
-                Verdict unknown = Verdict.unknown(missing(component));
-                String name = component.qualifiedName();
-                answers.add(
-                        Answered.ofInvariant(name, invariant.name(), invariant.span(), unknown));
+                answers.add(unknown(component, invariant, missing(component)));
             }
         }
+    }
+
+    private static Answered unknown(Component component, Invariant invariant, String reason) {
+        return Answered.ofInvariant(
+                component.qualifiedName(),
+                invariant.name(),
+                invariant.span(),
+                Verdict.unknown(reason));
     }
 
     private static String missing(Component component) {

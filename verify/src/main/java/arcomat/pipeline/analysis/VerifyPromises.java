@@ -14,6 +14,7 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.ModelQuestion;
 import arcomat.semantics.Promise;
+import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -112,9 +113,18 @@ public record VerifyPromises(
                                 answers.add(
                                         takesArguments(
                                                 models.model().component(name).orElseThrow())));
+        all.onlyRun()
+                .forEach(
+                        name -> answers.add(onlyRun(models.model().component(name).orElseThrow())));
         answers.addAll(
                 new InvariantAnswers(models, prover, noRun, budget, progress).all(instances));
         return answers;
+    }
+
+    private static Answered onlyRun(Component component) {
+        String reason = component.qualifiedName() + " has " + TooManyWays.REASON;
+        return new Answered(
+                component.qualifiedName(), "", component.span(), Verdict.unknown(reason));
     }
 
     private static Answered takesArguments(Component component) {
