@@ -128,7 +128,7 @@ public record AutomatonPlan(
                 Procedure.of(
                         context.component(),
                         automaton,
-                        body.statement(),
+                        body,
                         context.isEventDriven()
                                 ? Procedure.Form.AT_THE_END
                                 : Procedure.Form.AT_ONCE,

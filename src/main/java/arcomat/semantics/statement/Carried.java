@@ -76,7 +76,7 @@ public final class Carried {
             List<Value> arguments) {
         Procedure procedure =
                 Procedure.of(
-                        component, automaton, body.statement(), Procedure.Form.AT_THE_END, false);
+                        component, automaton, body, Procedure.Form.AT_THE_END, false);
         List<Variable> locals = new ArrayList<>();
         procedure.locals().forEach(each -> locals.add(each.cell()));
         addDeclared(procedure.steps(), locals);

@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Turns statements into steps, one after the other. A value that may go wrong or may be missing
@@ -73,7 +74,8 @@ final class Carrying {
         return takesBack;
     }
 
-    Procedure procedure(Statement statement) {
+    Procedure procedure(Automaton.Body body) {
+        Statement statement = body.statement();
         Assigned assigned = Assigned.in(statement);
         List<Variable> kept =
                 assigned.variables().stream().filter(each -> own.containsKey(each.name())).toList();
@@ -81,15 +83,26 @@ final class Carrying {
             kept.forEach(each -> declare(cell(each), read(each)));
         }
         List<Step> steps = new ArrayList<>();
-        Place place = Place.beginning(Set.of());
+        Place place = Place.beginning(asked(body));
         Set<String> sure = SurelyRead.of(statement, automaton, presence);
         component.inputs().stream()
                 .filter(port -> sure.contains(port.name()))
+                .filter(port -> !place.present().contains(port.name()))
                 .forEach(port -> need(carries(port), place, steps));
         place.learn(sure);
         carry(statement, place, steps, 1);
         finish(kept, place, steps);
         return finished(steps);
+    }
+
+    /** The ports that carry a message where the input block fits and the guard is true. */
+    private Set<String> asked(Automaton.Body body) {
+        Set<String> matched =
+                body.matches().stream()
+                        .filter(each -> !(each.pattern() instanceof Automaton.Absent))
+                        .map(each -> each.port().name())
+                        .collect(Collectors.toSet());
+        return body.guard().map(guard -> presence.where(true, guard, matched)).orElse(matched);
     }
 
     private Expression carries(Port port) {

@@ -3,7 +3,6 @@ package arcomat.semantics.statement;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.Statement;
 import arcomat.model.Variable;
 
 import java.util.List;
@@ -39,14 +38,14 @@ public record Procedure(Expression entry, List<Step.Declare> locals, List<Step> 
     public static Procedure of(
             Component component,
             Automaton automaton,
-            Statement statement,
+            Automaton.Body body,
             Form form,
             boolean counts) {
         Carrying direct =
                 new Carrying(component, automaton, form == Form.AT_THE_END, false, counts);
-        Procedure procedure = direct.procedure(statement);
+        Procedure procedure = direct.procedure(body);
         return direct.mayTakeBack()
-                ? new Carrying(component, automaton, true, true, counts).procedure(statement)
+                ? new Carrying(component, automaton, true, true, counts).procedure(body)
                 : procedure;
     }
 

@@ -95,32 +95,23 @@ public class Events {
         switch (state) {
             case COUNTING:
                 // line 11: counting -> counting {up = ?} / do { total += up; if (total > 20) { full = true; } if (total > 30) { total = 0; full = f ..
-                statements0: if (hasUp) {
-                    int nextTotal = total;
+                if (hasUp) {
                     boolean chosen1 = false;
                     boolean chosen2 = false;
-                    int saved1 = 0;
-                    if (total + up > 20) {
+                    total = total + up;
+                    if (total > 20) {
                         chosen1 = true;
                     }
-                    if (total + up > 30) {
+                    if (total > 30) {
                         chosen2 = true;
-                        nextTotal = 0;
+                        total = 0;
                     }
-                    if (!(chosen2 || !chosen2)) {
-                        break statements0;
-                    }
-                    saved1 = nextTotal;
-                    if (!chosen2) {
-                        nextTotal = total + up;
-                    }
-                    sendSum(chosen2 ? saved1 : total + up);
+                    sendSum(total);
                     if (chosen2) {
                         sendFull(false);
                     } else if (chosen1) {
                         sendFull(true);
                     }
-                    total = nextTotal;
                     return;
                 }
                 // line 22: counting -> done {reset = ?} / do { if (reset == true) { total = 0; } else { total = 1; } };
