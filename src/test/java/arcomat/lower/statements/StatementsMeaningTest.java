@@ -42,6 +42,9 @@ class StatementsMeaningTest {
     /** Literals out of a range, and divisions by a literal zero: they are told, and go wrong. */
     private static final Set<String> SURE_TO_FAIL = Set.of("ARC0322", "ARC0323");
 
+    /** A message that only one branch reads: what the reference does with it, too. */
+    private static final String SILENCING = "ARC0355";
+
     private static final String TOO_LARGE = "ARC0345";
 
     @Tag("slow")
@@ -133,6 +136,7 @@ class StatementsMeaningTest {
                         .map(Diagnostic::code)
                         .collect(Collectors.toSet());
         findings.removeAll(SURE_TO_FAIL);
+        findings.remove(SILENCING);
         assertThat(findings).as(text).isSubsetOf(TOO_LARGE);
         if (!findings.isEmpty()) {
             return Optional.empty();
