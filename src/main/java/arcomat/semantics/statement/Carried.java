@@ -75,8 +75,7 @@ public final class Carried {
             Set<String> owned,
             List<Value> arguments) {
         Procedure procedure =
-                Procedure.of(
-                        component, automaton, body, Procedure.Form.AT_THE_END, false);
+                Procedure.of(component, automaton, body, Procedure.Form.AT_THE_END, false);
         List<Variable> locals = new ArrayList<>();
         procedure.locals().forEach(each -> locals.add(each.cell()));
         addDeclared(procedure.steps(), locals);
