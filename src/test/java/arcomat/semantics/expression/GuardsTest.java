@@ -70,7 +70,7 @@ class GuardsTest {
     }
 
     /** The one with the greater rank is enabled where its guard is true and the other's is not. */
-    @Property(seed = "3", tries = 2000, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "3", tries = 1000, edgeCases = EdgeCasesMode.NONE)
     void whoComesFirstIsNotAskedInVain(
             @ForAll("guards") Expression first,
             @ForAll("guards") Expression second,
