@@ -103,7 +103,7 @@ class WorldPageBrowserTest extends BrowserTest {
         String folded = browser.find("#inside .group-box.folded").getDomAttribute("data-name");
         String row = browser.find("#inside .track.selected .name").getDomAttribute("title");
         browser.await(() -> hash().startsWith("#7/") && hash().contains("/loaded/" + folded));
-        browser.open(page + "?kept" + hash(), ".floor .robot");
+        browser.open(page + "?kept" + hash(), "#inside .track.selected .name");
         assertThat(browser.text("#clock")).startsWith("7.0 s");
         assertThat(browser.find("#inside .choices [aria-pressed='true']").getText())
                 .isEqualTo("loaded");
