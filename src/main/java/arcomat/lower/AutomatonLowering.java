@@ -77,7 +77,7 @@ final class AutomatonLowering {
     private Automaton.Initial initial(InitialSymbol initial) {
         if (initial.actions().isPresent()) {
             // A law lets nothing be decided here, so there is one way.
-            ActionPath path = paths(initial.actions().get()).get(0);
+            ActionPath path = ways(statement(initial.actions().get())).get(0);
             return new Automaton.Initial(
                     initial.state().orElseThrow().index(),
                     path.sent(),
@@ -91,8 +91,12 @@ final class AutomatonLowering {
                 initial.node().span());
     }
 
-    private List<ActionPath> paths(ActionSymbol actions) {
-        return ActionLowering.lower(actions, environment);
+    private Statement statement(ActionSymbol actions) {
+        return StatementLowering.lower(actions, environment);
+    }
+
+    private List<ActionPath> ways(Statement statement) {
+        return StatementWays.all(statement, profile);
     }
 
     /** Several where statements choose: one for each way through them. */
@@ -106,12 +110,11 @@ final class AutomatonLowering {
             return Stream.of(
                     transition(transition, demand, guard, sends(output), assignments(output)));
         }
-        ActionSymbol actions = transition.actions().get();
-        Statement statement = StatementLowering.lower(actions, environment);
+        Statement statement = statement(transition.actions().get());
         if (statement.ways() > MOST_WAYS || Sizes.largest(statement) > LARGEST) {
             return joined(transition, demand, guards, statement);
         }
-        List<ActionPath> paths = paths(actions);
+        List<ActionPath> paths = ways(statement);
         Automaton.Body body =
                 new Automaton.Body(
                         conjunction(guards),
@@ -130,9 +133,8 @@ final class AutomatonLowering {
             TransitionCondition demand,
             List<Expression> guards,
             Statement statement) {
-        boolean sliced = profile == Component.Profile.TIME_SYNCHRONOUS;
         Optional<List<ActionPath>> paths =
-                JoinedLowering.lower(statement, sliced, MOST_WAYS, LARGEST_JOINED);
+                StatementWays.joined(statement, profile, MOST_WAYS, LARGEST_JOINED);
         Optional<Expression> guard = conjunction(guards);
         Automaton.Body body =
                 new Automaton.Body(
@@ -144,9 +146,8 @@ final class AutomatonLowering {
         if (paths.isEmpty()) {
             return Stream.of(transition(transition, demand, guard, List.of(), List.of()).of(body));
         }
-        List<String> order = ActionLowering.order(transition.actions().orElseThrow());
         return paths.get().stream()
-                .map(path -> transition(transition, demand, guards, path.inOrder(order)).of(body));
+                .map(path -> transition(transition, demand, guards, path).of(body));
     }
 
     private Automaton.Transition transition(

@@ -1,6 +1,7 @@
 package arcomat.lower;
 
 import arcomat.model.Automaton;
+import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Variable;
 
@@ -134,23 +135,18 @@ record JoinedPath(ActionPath path, Set<String> present) {
 
     /** Which ports that may be silent an expression reads. */
     static final class Ports {
-        private final boolean sliced;
+        private final Component.Profile profile;
         private final Map<Expression, Set<String>> known = new IdentityHashMap<>();
 
-        /**
-         * @param sliced whether total ports always carry a message
-         */
-        Ports(boolean sliced) {
-            this.sliced = sliced;
+        Ports(Component.Profile profile) {
+            this.profile = profile;
         }
 
         Set<String> of(Expression e) {
             Set<String> found = known.get(e);
             if (found == null) {
                 found = new HashSet<>();
-                if (e instanceof Expression.PortRead read
-                        && read.port().first().isEmpty()
-                        && !(sliced && read.port().total())) {
+                if (e instanceof Expression.PortRead read && profile.mayBeSilent(read.port())) {
                     found.add(read.port().name());
                 }
                 for (Expression operand : e.operands()) {

@@ -117,7 +117,12 @@ public record Component(
     /** How time passes: one letter per slice, or one event per step. */
     public enum Profile {
         TIME_SYNCHRONOUS,
-        EVENT_DRIVEN
+        EVENT_DRIVEN;
+
+        /** Whether a port may carry no message; total ports may before an event has come. */
+        public boolean mayBeSilent(Port port) {
+            return port.first().isEmpty() && !(port.total() && this == TIME_SYNCHRONOUS);
+        }
     }
 
     /**

@@ -159,6 +159,11 @@ public sealed interface Expression {
         return found;
     }
 
+    /** Whether it, or something that it is made of, is a division. */
+    default boolean divides() {
+        return contains(e -> e instanceof Binary binary && binary.operator().divides());
+    }
+
     /** Whether it, or something that it is made of, is what is asked for. */
     default boolean contains(Predicate<Expression> wanted) {
         if (wanted.test(this)) {
@@ -405,6 +410,16 @@ public sealed interface Expression {
         /** As models write it. */
         public String sign() {
             return sign;
+        }
+
+        /** Whether there is no result where the right operand is zero. */
+        public boolean divides() {
+            return this == DIVIDE || this == REMAINDER;
+        }
+
+        /** Whether one operand may decide alone. */
+        public boolean isLazy() {
+            return this == AND || this == OR || this == IMPLIES;
         }
     }
 }

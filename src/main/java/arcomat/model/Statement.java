@@ -21,6 +21,11 @@ public sealed interface Statement {
         return List.of();
     }
 
+    /** The variables that are assigned in it, each once, in the order of the text. */
+    default List<Variable> assigned() {
+        return List.of();
+    }
+
     /** All expressions in it. */
     List<Expression> expressions();
 
@@ -55,6 +60,14 @@ public sealed interface Statement {
         @Override
         public List<Automaton.Send> sends() {
             return statements.stream().flatMap(each -> each.sends().stream()).toList();
+        }
+
+        @Override
+        public List<Variable> assigned() {
+            return statements.stream()
+                    .flatMap(each -> each.assigned().stream())
+                    .distinct()
+                    .toList();
         }
 
         @Override
@@ -93,6 +106,11 @@ public sealed interface Statement {
         }
 
         @Override
+        public List<Variable> assigned() {
+            return List.of(variable);
+        }
+
+        @Override
         public List<Expression> expressions() {
             return List.of(value);
         }
@@ -126,6 +144,13 @@ public sealed interface Statement {
         @Override
         public List<Automaton.Send> sends() {
             return Stream.concat(then.sends().stream(), otherwise.sends().stream()).toList();
+        }
+
+        @Override
+        public List<Variable> assigned() {
+            return Stream.concat(then.assigned().stream(), otherwise.assigned().stream())
+                    .distinct()
+                    .toList();
         }
 
         @Override

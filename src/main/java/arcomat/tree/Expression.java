@@ -319,5 +319,10 @@ public sealed interface Expression extends Node {
         public String symbol() {
             return symbol;
         }
+
+        /** Whether there is no result where the right operand is zero. */
+        public boolean divides() {
+            return this == DIVIDE || this == REMAINDER;
+        }
     }
 }

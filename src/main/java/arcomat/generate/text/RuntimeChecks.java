@@ -3,10 +3,10 @@ package arcomat.generate.text;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Presence;
 
 import java.util.HashMap;
 import java.util.List;
@@ -74,10 +74,7 @@ public record RuntimeChecks(Map<String, Interval> known) {
 
     /** Whether a division by zero has to be looked out for. */
     static boolean isNeeded(Expression.Binary binary) {
-        return (binary.operator() == BinaryOperator.DIVIDE
-                        || binary.operator() == BinaryOperator.REMAINDER)
-                && binary.left().type() instanceof Type.IntegerType
-                && !isNonZero(binary.right());
+        return Presence.mayDivideByZero(binary);
     }
 
     /** Whether a number that is beyond 64 bits may be made a Long. */
@@ -94,35 +91,14 @@ public record RuntimeChecks(Map<String, Interval> known) {
                 && Math.abs(number.value()) < -(double) Long.MIN_VALUE;
     }
 
-    private static boolean isNonZero(Expression e) {
-        return e instanceof Expression.Constant constant
-                && constant.value() instanceof Value.IntegerValue integer
-                && integer.value() != 0;
-    }
-
-    /**
-     * Whether a value may leave the range of what it is for. A message keeps its range; but nothing
-     * is concluded of what others may have sent.
-     */
+    /** Whether a value may leave the range of what it is for. */
     boolean isNeeded(Expression value, Type wanted) {
-        if (!(wanted instanceof Type.IntegerType range) || !range.ranged()) {
-            return false;
-        }
-        Interval possible =
-                value instanceof Expression.PortRead
-                        ? Interval.ofType(value)
-                        : Interval.of(value, this::read);
-        return !possible.isWithin(Interval.of(range.low(), range.high()));
+        return !Interval.fits(value, wanted, this::read);
     }
 
-    private Interval read(Expression e) {
-        if (e instanceof Expression.VariableRead read) {
-            Interval type = Interval.ofType(e);
-            Interval narrower = known.get(read.variable().name());
-            return narrower == null ? type : type.within(narrower);
-        }
-        return e instanceof Expression.ParameterRead
-                ? Interval.ofType(e)
-                : Interval.ofWidth(e.type());
+    private Interval read(Expression.VariableRead read) {
+        Interval type = Interval.ofType(read);
+        Interval narrower = known.get(read.variable().name());
+        return narrower == null ? type : type.within(narrower);
     }
 }

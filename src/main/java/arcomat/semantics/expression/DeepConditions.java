@@ -174,21 +174,12 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
         if (formulas.isStrict(both.left)) {
             return both.joined(true, certainly(true, both.left), value(both.right));
         }
-        if (!formulas.isStrict(both.right) || divides(both.right)) {
+        if (!formulas.isStrict(both.right) || both.right.divides()) {
             return certainly(true, e);
         }
         return both.all
                 ? and(not(certainly(false, both.right)), value(both.left))
                 : or(certainly(true, both.right), value(both.left));
-    }
-
-    /** Whether it may go wrong to look at an expression. */
-    static boolean divides(Expression expression) {
-        return expression.contains(
-                e ->
-                        e instanceof Expression.Binary binary
-                                && (binary.operator() == BinaryOperator.DIVIDE
-                                        || binary.operator() == BinaryOperator.REMAINDER));
     }
 
     /**

@@ -20,10 +20,10 @@ public final class Formulas {
     public static final Expression TRUE = constant(true);
     public static final Expression FALSE = constant(false);
 
-    private final boolean totalPortsAlwaysPresent;
+    private final Component.Profile profile;
 
     Formulas(Component.Profile profile) {
-        totalPortsAlwaysPresent = profile == Component.Profile.TIME_SYNCHRONOUS;
+        this.profile = profile;
     }
 
     @SuppressWarnings("NullAway") // it stands nowhere in the text
@@ -103,9 +103,7 @@ public final class Formulas {
     /** Whether a connective may have a value although an operand has none. */
     static boolean isLazy(Expression e) {
         if (e instanceof Expression.Binary binary) {
-            return binary.operator() == BinaryOperator.AND
-                    || binary.operator() == BinaryOperator.OR
-                    || binary.operator() == BinaryOperator.IMPLIES;
+            return binary.operator().isLazy();
         }
         return isNegation(e) && isLazy(e.operands().get(0));
     }
@@ -143,7 +141,7 @@ public final class Formulas {
 
     /** Whether a port may carry no message. */
     boolean mayBeAbsent(Port port) {
-        return port.first().isEmpty() && !(port.total() && totalPortsAlwaysPresent);
+        return profile.mayBeSilent(port);
     }
 
     /** Drops tests of presence that hold by what stands before them. */

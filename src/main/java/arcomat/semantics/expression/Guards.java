@@ -244,7 +244,7 @@ public final class Guards {
     private Expression chosen(
             Expression.Conditional choice, Expression then, Expression otherwise) {
         Expression condition = choice.condition();
-        if (!formulas.isStrict(condition) && DeepConditions.divides(condition)) {
+        if (!formulas.isStrict(condition) && condition.divides()) {
             return and(
                     defined(condition),
                     DeepConditions.choice(whereDefined(condition), then, otherwise, condition));

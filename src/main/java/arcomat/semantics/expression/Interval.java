@@ -49,6 +49,32 @@ public record Interval(BigInteger low, BigInteger high) {
         return computes(e) && !result.isWithin(ofWidth(e.type())) ? ofWidth(e.type()) : result;
     }
 
+    /**
+     * Whether a value is in the range of what it is for, whatever is read. A message keeps its
+     * range; but nothing is concluded of what others may have sent.
+     *
+     * @param variables where what is read of a variable lies
+     */
+    public static boolean fits(
+            Expression value, Type wanted, Function<Expression.VariableRead, Interval> variables) {
+        if (!(wanted instanceof Type.IntegerType range) || !range.ranged()) {
+            return true;
+        }
+        Interval possible =
+                value instanceof Expression.PortRead
+                        ? ofType(value)
+                        : of(value, e -> ofReading(e, variables));
+        return possible.isWithin(of(range.low(), range.high()));
+    }
+
+    private static Interval ofReading(
+            Expression e, Function<Expression.VariableRead, Interval> variables) {
+        if (e instanceof Expression.VariableRead read) {
+            return variables.apply(read);
+        }
+        return e instanceof Expression.ParameterRead ? ofType(e) : ofWidth(e.type());
+    }
+
     /** Of what is computed of the values of the operands, before it is made to fit. */
     public static Interval unwrapped(Expression e) {
         return unwrapped(e, Interval::ofType);

@@ -124,12 +124,14 @@ public final class Presence {
     /** Whether computing an expression may go wrong. */
     public static boolean mayFail(Expression expression) {
         return expression.contains(
-                e ->
-                        e instanceof Expression.Binary binary
-                                && (binary.operator() == BinaryOperator.DIVIDE
-                                        || binary.operator() == BinaryOperator.REMAINDER)
-                                && binary.left().type() instanceof Type.IntegerType
-                                && !isNonZero(binary.right()));
+                e -> e instanceof Expression.Binary binary && mayDivideByZero(binary));
+    }
+
+    /** Whether the right operand may be a whole number that is zero. */
+    public static boolean mayDivideByZero(Expression.Binary binary) {
+        return binary.operator().divides()
+                && binary.left().type() instanceof Type.IntegerType
+                && !isNonZero(binary.right());
     }
 
     private static boolean isNonZero(Expression e) {

@@ -144,10 +144,7 @@ public final class InvariantWatch {
     }
 
     private static boolean mayDivideByZero(Expression.Binary binary) {
-        boolean divides =
-                binary.operator() == BinaryOperator.DIVIDE
-                        || binary.operator() == BinaryOperator.REMAINDER;
-        return divides && binary.type() instanceof Type.IntegerType;
+        return binary.operator().divides() && binary.type() instanceof Type.IntegerType;
     }
 
     private static Expression divided(Expression.Binary binary) {

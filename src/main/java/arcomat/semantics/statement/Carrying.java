@@ -76,9 +76,8 @@ final class Carrying {
 
     Procedure procedure(Automaton.Body body) {
         Statement statement = body.statement();
-        Assigned assigned = Assigned.in(statement);
         List<Variable> kept =
-                assigned.variables().stream().filter(each -> own.containsKey(each.name())).toList();
+                statement.assigned().stream().filter(each -> own.containsKey(each.name())).toList();
         if (aside) {
             kept.forEach(each -> declare(cell(each), read(each)));
         }
@@ -411,20 +410,7 @@ final class Carrying {
 
     /** Whether a value is in the range of what it is for, whatever is read. */
     private static boolean fits(Expression value, Type wanted) {
-        if (!(wanted instanceof Type.IntegerType range) || !range.ranged()) {
-            return true;
-        }
-        Interval possible =
-                value instanceof Expression.PortRead
-                        ? Interval.ofType(value)
-                        : Interval.of(value, Carrying::bounds);
-        return possible.isWithin(Interval.of(range.low(), range.high()));
-    }
-
-    private static Interval bounds(Expression read) {
-        return read instanceof Expression.VariableRead || read instanceof Expression.ParameterRead
-                ? Interval.ofType(read)
-                : Interval.ofWidth(read.type());
+        return Interval.fits(value, wanted, Interval::ofType);
     }
 
     /** The cell of a variable; in between its value has no range. */

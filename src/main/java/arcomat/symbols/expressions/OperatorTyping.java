@@ -103,10 +103,7 @@ final class OperatorTyping {
 
     private static boolean dividesByZero(
             Expression.BinaryOperator operator, TypedExpression right, TypeSymbol operands) {
-        boolean divides =
-                operator == Expression.BinaryOperator.DIVIDE
-                        || operator == Expression.BinaryOperator.REMAINDER;
-        return divides
+        return operator.divides()
                 && operands.isIntegral()
                 && ConstantFolding.computed(right).filter(v -> v == 0).isPresent();
     }

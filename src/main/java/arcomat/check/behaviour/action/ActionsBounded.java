@@ -139,12 +139,8 @@ public final class ActionsBounded implements Check.OnActions {
                 return sizes.containsKey(read.variable());
             }
             return part instanceof TypedExpression.PortRead read && !read.port().isTotal()
-                    || part.node() instanceof Expression.Binary binary && divides(binary);
-        }
-
-        private static boolean divides(Expression.Binary binary) {
-            return binary.operator() == Expression.BinaryOperator.DIVIDE
-                    || binary.operator() == Expression.BinaryOperator.REMAINDER;
+                    || part.node() instanceof Expression.Binary binary
+                            && binary.operator().divides();
         }
 
         private boolean isSmall(Typed value) {

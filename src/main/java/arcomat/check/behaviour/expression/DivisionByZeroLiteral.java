@@ -4,7 +4,6 @@ import arcomat.symbols.expressions.ConstantFolding;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
-import arcomat.tree.Expression.BinaryOperator;
 import arcomat.tree.TestSuite;
 
 /**
@@ -27,16 +26,12 @@ public final class DivisionByZeroLiteral extends ProblemLaw {
 
     private static void checkDivisor(TypedExpression expression, Findings findings) {
         if (expression instanceof TypedExpression.Binary binary
-                && isDivision(binary.node().operator())
+                && binary.node().operator().divides()
                 && binary.operandType().isIntegral()
                 && ConstantFolding.computed(binary.right()).isEmpty()) {
             findings.report(
                     binary.right().node(),
                     "whether this divisor is zero shows only in a run; write the number");
         }
-    }
-
-    private static boolean isDivision(BinaryOperator operator) {
-        return operator == BinaryOperator.DIVIDE || operator == BinaryOperator.REMAINDER;
     }
 }

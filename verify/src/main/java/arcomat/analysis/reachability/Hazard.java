@@ -38,7 +38,7 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
 
     @Override
     public Expression binary(Expression.Binary binary) {
-        if (!isLazy(binary.operator())) {
+        if (!binary.operator().isLazy()) {
             return inAll(binary);
         }
         Expression left = binary.left();
@@ -148,17 +148,10 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
                 compare(BinaryOperator.GREATER, wide, number(integer.high(), wide)));
     }
 
-    private static boolean isLazy(BinaryOperator operator) {
-        return operator == BinaryOperator.AND
-                || operator == BinaryOperator.OR
-                || operator == BinaryOperator.IMPLIES;
-    }
-
     private static Expression hasNoQuotient(Expression e) {
         boolean divides =
                 e instanceof Expression.Binary binary
-                        && (binary.operator() == BinaryOperator.DIVIDE
-                                || binary.operator() == BinaryOperator.REMAINDER)
+                        && binary.operator().divides()
                         && Interval.isInteger(binary.type());
         if (!divides) {
             return NEVER;

@@ -3,7 +3,6 @@ package arcomat.analysis.automaton.trap;
 import arcomat.analysis.automaton.induction.Isolation;
 import arcomat.analysis.automaton.trap.EscapePlan.Step;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -131,14 +130,8 @@ record Generalization(List<Port> inputs, List<Variable> variables) {
     private static boolean isMessage(Expression term, Type type) {
         return term.ports().isEmpty()
                 && PlanConditions.isAlike(term.type(), type)
-                && !term.contains(Generalization::mayDivide)
+                && !term.divides()
                 && !(term instanceof Expression.Constant constant && !type.has(constant.value()));
-    }
-
-    private static boolean mayDivide(Expression e) {
-        return e instanceof Expression.Binary binary
-                && (binary.operator() == BinaryOperator.DIVIDE
-                        || binary.operator() == BinaryOperator.REMAINDER);
     }
 
     /** A whole number next to a term. */

@@ -2,7 +2,6 @@ package arcomat.analysis.search.reduction;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.semantics.expression.Interval;
 
@@ -37,8 +36,7 @@ public final class SureResults {
         return e.contains(
                 part ->
                         part instanceof Expression.Binary binary
-                                && (binary.operator() == BinaryOperator.DIVIDE
-                                        || binary.operator() == BinaryOperator.REMAINDER)
+                                && binary.operator().divides()
                                 && Interval.isInteger(binary.type())
                                 && mayBeZero(binary.right()));
     }

@@ -1,7 +1,7 @@
 package arcomat.lower;
 
+import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Statement;
 import arcomat.model.Value;
 import arcomat.model.Variable;
@@ -18,17 +18,28 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /**
- * Statements as what happens at once, where there are many ways through them: ways that have been
- * told apart by a choice become one again behind it, as far as one transition can say both.
+ * Takes the ways through statements. All that a way does is said of the values before the first
+ * statement: a name stands for what was assigned to it last. Ways that have been told apart by a
+ * choice can become one again behind it, as far as one transition can say both.
  */
-final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
+final class StatementWays implements Statement.Cases<List<JoinedPath>> {
     private final JoinedPath.Ports ports;
-    private final int most;
+    private final Joining joining;
     private final List<JoinedPath> before;
 
-    private JoinedLowering(JoinedPath.Ports ports, int most, List<JoinedPath> before) {
+    /**
+     * How ways become one again.
+     *
+     * @param joins whether they do at all
+     * @param most how many there may be at most
+     */
+    private record Joining(boolean joins, long most) {
+        static final Joining NONE = new Joining(false, Long.MAX_VALUE);
+    }
+
+    private StatementWays(JoinedPath.Ports ports, Joining joining, List<JoinedPath> before) {
         this.ports = ports;
-        this.most = most;
+        this.joining = joining;
         this.before = before;
     }
 
@@ -41,24 +52,22 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         }
     }
 
+    /** Each way, whose conditions exclude those of the others. */
+    static List<ActionPath> all(Statement statement, Component.Profile profile) {
+        return paths(statement, profile, Joining.NONE);
+    }
+
     /**
-     * What stands for the statements; their conditions exclude each other.
+     * The same with few ways, where those that can be joined are.
      *
-     * @param sliced whether total ports always carry a message
      * @param most how many there may be at most
      * @param largest of how many parts a value or a condition may be
      * @return nothing where there would be more, or larger ones
      */
-    static Optional<List<ActionPath>> lower(
-            Statement statement, boolean sliced, int most, long largest) {
+    static Optional<List<ActionPath>> joined(
+            Statement statement, Component.Profile profile, int most, long largest) {
         try {
-            List<JoinedPath> start = List.of(JoinedPath.EMPTY);
-            List<ActionPath> paths =
-                    statement
-                            .match(new JoinedLowering(new JoinedPath.Ports(sliced), most, start))
-                            .stream()
-                            .map(JoinedPath::path)
-                            .toList();
+            List<ActionPath> paths = paths(statement, profile, new Joining(true, most));
             Map<Expression, Long> sizes = new IdentityHashMap<>();
             boolean small =
                     paths.stream()
@@ -68,6 +77,17 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         } catch (TooMany tooMany) {
             return Optional.empty();
         }
+    }
+
+    private static List<ActionPath> paths(
+            Statement statement, Component.Profile profile, Joining joining) {
+        JoinedPath.Ports ports = new JoinedPath.Ports(profile);
+        List<String> order = statement.assigned().stream().map(Variable::name).toList();
+        return statement
+                .match(new StatementWays(ports, joining, List.of(JoinedPath.EMPTY)))
+                .stream()
+                .map(way -> way.path().inOrder(order))
+                .toList();
     }
 
     private static long size(Expression e, long largest, Map<Expression, Long> sizes) {
@@ -92,7 +112,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         List<JoinedPath> paths = before;
         Set<Variable> here = new HashSet<>();
         for (Statement each : sequence.statements()) {
-            paths = each.match(new JoinedLowering(ports, most, paths));
+            paths = each.match(new StatementWays(ports, joining, paths));
             if (each instanceof Statement.Declare declare) {
                 here.add(declare.local());
             }
@@ -126,7 +146,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         List<JoinedPath> after = new ArrayList<>();
         for (JoinedPath each : before) {
             after.addAll(choose(choose, each));
-            if (after.size() > most) {
+            if (after.size() > joining.most()) {
                 throw new TooMany();
             }
         }
@@ -138,7 +158,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         if (condition instanceof Expression.Constant constant) {
             boolean truth = constant.value().equals(new Value.BooleanValue(true));
             return (truth ? choose.then() : choose.otherwise())
-                    .match(new JoinedLowering(ports, most, List.of(path)));
+                    .match(new StatementWays(ports, joining, List.of(path)));
         }
         Expression contrary = Connectives.not(condition);
         boolean strict = isStrict(condition);
@@ -147,7 +167,8 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
         List<JoinedPath> otherwise = new ArrayList<>(behind(choose.otherwise(), start));
         List<JoinedPath> after = new ArrayList<>();
         for (JoinedPath first : then) {
-            JoinedPath joined = strict ? joined(condition, first, otherwise, path) : null;
+            JoinedPath joined =
+                    strict && joining.joins() ? joined(condition, first, otherwise, path) : null;
             after.add(joined != null ? joined : first.behind(List.of(condition)));
         }
         otherwise.forEach(second -> after.add(second.behind(List.of(contrary))));
@@ -156,7 +177,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
     }
 
     private List<JoinedPath> behind(Statement statement, JoinedPath start) {
-        return statement.match(new JoinedLowering(ports, most, List.of(start)));
+        return statement.match(new StatementWays(ports, joining, List.of(start)));
     }
 
     /** With the first of others that it can be joined with, which is left out then. */
@@ -180,7 +201,7 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
             Expression condition, ActionPath first, ActionPath second, JoinedPath path) {
         Expression contrary = Connectives.not(condition);
         boolean unasked = first.conditions().isEmpty() && second.conditions().isEmpty();
-        if (unasked && path.present().containsAll(ports.of(condition)) && !divides(condition)) {
+        if (unasked && path.present().containsAll(ports.of(condition)) && !condition.divides()) {
             return List.of();
         }
         List<Expression> then = new ArrayList<>(List.of(condition));
@@ -201,21 +222,10 @@ final class JoinedLowering implements Statement.Cases<List<JoinedPath>> {
                         e ->
                                 e instanceof Expression.Conditional
                                         || e instanceof Expression.PortMatches
-                                        || isConnective(e));
+                                        || isLazy(e));
     }
 
-    private static boolean isConnective(Expression e) {
-        return e instanceof Expression.Binary binary
-                && (binary.operator() == BinaryOperator.AND
-                        || binary.operator() == BinaryOperator.OR
-                        || binary.operator() == BinaryOperator.IMPLIES);
-    }
-
-    private static boolean divides(Expression condition) {
-        return condition.contains(
-                e ->
-                        e instanceof Expression.Binary binary
-                                && (binary.operator() == BinaryOperator.DIVIDE
-                                        || binary.operator() == BinaryOperator.REMAINDER));
+    private static boolean isLazy(Expression e) {
+        return e instanceof Expression.Binary binary && binary.operator().isLazy();
     }
 }
