@@ -18,13 +18,11 @@ import arcomat.semantics.expression.Interval;
 import arcomat.semantics.expression.Presence;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -42,9 +40,7 @@ final class Carrying {
     private final boolean counts;
     private final Automaton automaton;
     private final Presence presence;
-    private final Map<String, Variable> own = new HashMap<>();
-    private final Map<String, Variable> cells = new HashMap<>();
-    private final Map<String, Variable> all = new LinkedHashMap<>();
+    private final Cells cells;
     private final Map<String, Step.Declare> locals = new LinkedHashMap<>();
     private final Set<String> hoisted = new HashSet<>();
     private final Set<String> written = new HashSet<>();
@@ -66,7 +62,7 @@ final class Carrying {
         this.aside = aside;
         this.counts = counts;
         this.presence = new Presence(component.profile());
-        automaton.variables().forEach(each -> own.put(each.name(), each));
+        this.cells = new Cells(automaton, aside);
     }
 
     /** Whether something is done before it comes out that nothing is to be done. */
@@ -77,9 +73,9 @@ final class Carrying {
     Procedure procedure(Automaton.Body body) {
         Statement statement = body.statement();
         List<Variable> kept =
-                statement.assigned().stream().filter(each -> own.containsKey(each.name())).toList();
+                statement.assigned().stream().filter(each -> cells.isOwn(each.name())).toList();
         if (aside) {
-            kept.forEach(each -> declare(cell(each), read(each)));
+            kept.forEach(each -> declare(cells.of(each), read(each)));
         }
         List<Step> steps = new ArrayList<>();
         Place place = Place.beginning(asked(body));
@@ -116,7 +112,7 @@ final class Carrying {
             first++;
         }
         List<Step> rest = Hoisting.of(steps.subList(first, steps.size()), hoisted);
-        all.values().stream()
+        cells.all().stream()
                 .filter(cell -> hoisted.contains(cell.name()))
                 .filter(cell -> Hoisting.changes(rest, cell.name()))
                 .forEach(cell -> declare(cell, nothing(cell)));
@@ -162,7 +158,10 @@ final class Carrying {
                 }
             }
             place.forget(here);
-            here.stream().map(name -> cell(name).name()).filter(place::needs).forEach(hoisted::add);
+            here.stream()
+                    .map(name -> cells.of(name).name())
+                    .filter(place::needs)
+                    .forEach(hoisted::add);
             return null;
         }
 
@@ -171,7 +170,7 @@ final class Carrying {
             Variable local = declare.local();
             Expression value = current(local.initial(), place);
             Expression present = present(local.initial(), place);
-            Variable cell = newCell(local);
+            Variable cell = cells.declared(local);
             if (isSafe(value, present)) {
                 save(cell.name(), local.name(), place, steps);
                 steps.add(new Step.Declare(cell, value));
@@ -189,8 +188,8 @@ final class Carrying {
             Expression present = present(assign.value(), place);
             Variable variable = assign.variable();
             if (isSafe(value, present)) {
-                save(cell(variable).name(), variable.name(), place, steps);
-                steps.add(new Step.Set(cell(variable), value));
+                save(cells.of(variable).name(), variable.name(), place, steps);
+                steps.add(new Step.Set(cells.of(variable), value));
                 note(variable, value);
                 place.put(variable, HeldValue.CELL);
             } else {
@@ -200,7 +199,7 @@ final class Carrying {
         }
 
         private void note(Variable variable, Expression value) {
-            if (own.containsKey(variable.name())) {
+            if (cells.isOwn(variable.name())) {
                 written.add(variable.name());
                 if (!fits(value, variable.type())) {
                     loose.add(variable.name());
@@ -292,7 +291,7 @@ final class Carrying {
     /** Keeps what stands in a cell for those that need it, before something else comes there. */
     private void save(String cell, String but, Place place, List<Step> steps) {
         if (place.needs(cell, but)) {
-            Variable now = Objects.requireNonNull(all.get(cell));
+            Variable now = cells.called(cell);
             Variable saved =
                     new Variable("saved " + ++saves, now.type(), now.initial(), now.span());
             declare(saved, nothing(saved));
@@ -315,7 +314,7 @@ final class Carrying {
                 steps.addAll(keep(each, meaning));
                 continue;
             }
-            save(cell(each).name(), each.name(), place, steps);
+            save(cells.of(each).name(), each.name(), place, steps);
             steps.addAll(keep(each, place.variable(each.name())));
             place.put(each, HeldValue.CELL);
         }
@@ -324,8 +323,8 @@ final class Carrying {
         }
         if (aside) {
             for (Variable each : kept) {
-                Variable field = wide(each, each.name());
-                steps.add(new Step.Set(field, read(cell(each))));
+                Variable field = Cells.wide(each, each.name());
+                steps.add(new Step.Set(field, read(cells.of(each))));
             }
         }
     }
@@ -375,7 +374,7 @@ final class Carrying {
                             keep(variable, either.then()),
                             keep(variable, either.otherwise())));
         }
-        Variable cell = cell(variable);
+        Variable cell = cells.of(variable);
         if (meaning instanceof HeldValue.Later later) {
             return List.of(keep(cell, later.value(), variable));
         }
@@ -413,48 +412,6 @@ final class Carrying {
         return Interval.fits(value, wanted, Interval::ofType);
     }
 
-    /** The cell of a variable; in between its value has no range. */
-    private Variable cell(Variable variable) {
-        String key = variable.name();
-        if (!cells.containsKey(key)) {
-            boolean copied = aside && own.containsKey(key);
-            add(key, wide(variable, copied ? "next " + key : key));
-        }
-        return cell(key);
-    }
-
-    private Variable cell(String name) {
-        return Objects.requireNonNull(cells.get(name));
-    }
-
-    private void add(String name, Variable cell) {
-        cells.put(name, cell);
-        all.put(cell.name(), cell);
-    }
-
-    /** A local that is called as an earlier one shares its cell if the type is the same. */
-    private Variable newCell(Variable local) {
-        String name = local.name();
-        Variable cell = wide(local, name);
-        for (int i = 2; all.containsKey(cell.name()) && !isOfType(cell); i++) {
-            cell = wide(local, name + " " + i);
-        }
-        add(name, cell);
-        return cell;
-    }
-
-    private boolean isOfType(Variable cell) {
-        return Objects.requireNonNull(all.get(cell.name())).type().equals(cell.type());
-    }
-
-    private static Variable wide(Variable variable, String name) {
-        Type type =
-                variable.type() instanceof Type.IntegerType integer
-                        ? Type.IntegerType.of(integer.width())
-                        : variable.type();
-        return new Variable(name, type, variable.initial(), variable.span());
-    }
-
     private static Expression read(Variable variable) {
         return new Expression.VariableRead(variable, variable.span());
     }
@@ -470,7 +427,7 @@ final class Carrying {
     private Expression current(Expression expression, Place place) {
         if (expression instanceof Expression.VariableRead variable) {
             String name = variable.variable().name();
-            boolean constant = !own.containsKey(name) && !cells.containsKey(name);
+            boolean constant = !cells.isOwn(name) && !cells.has(name);
             return constant ? variable : current(variable, place.variable(name));
         }
         return expression.withOperands(each -> current(each, place));
@@ -489,8 +446,8 @@ final class Carrying {
                     read.span());
         }
         String name = read.variable().name();
-        return own.containsKey(name) && !written.contains(name)
+        return cells.isOwn(name) && !written.contains(name)
                 ? read
-                : new Expression.VariableRead(cell(read.variable()), read.span());
+                : new Expression.VariableRead(cells.of(read.variable()), read.span());
     }
 }
