@@ -40,6 +40,7 @@ public final class Workshop implements AutoCloseable {
     private final Session session;
     private final List<String> roots;
     private final Duration patience;
+    private final Duration grace;
     private final ThreadPoolExecutor executor =
             new ThreadPoolExecutor(
                     1,
@@ -59,9 +60,15 @@ public final class Workshop implements AutoCloseable {
      * @param patience time that a call may take
      */
     public Workshop(Session session, List<String> roots, Duration patience) {
+        this(session, roots, patience, GRACE);
+    }
+
+    /** The same with another time beyond the end. */
+    Workshop(Session session, List<String> roots, Duration patience, Duration grace) {
         this.session = session;
         this.roots = roots;
         this.patience = patience;
+        this.grace = grace;
     }
 
     /** What came of a call: an answer, or why there is none. */
@@ -85,7 +92,7 @@ public final class Workshop implements AutoCloseable {
     }
 
     private void watch(CompletableFuture<Outcome> outcome) {
-        CompletableFuture.delayedExecutor(patience.plus(GRACE).toNanos(), TimeUnit.NANOSECONDS)
+        CompletableFuture.delayedExecutor(patience.plus(grace).toNanos(), TimeUnit.NANOSECONDS)
                 .execute(
                         () -> {
                             if (outcome.complete(Outcome.failed(tooLong("and it goes on")))) {

@@ -60,7 +60,12 @@ class WorkshopTest {
     }
 
     private CompletableFuture<Outcome> call(Function<ToolCall, ToolAnswer> work) {
-        return workshop.call(new Doing(work), new JsonObject());
+        return call(workshop, work);
+    }
+
+    private static CompletableFuture<Outcome> call(
+            Workshop asked, Function<ToolCall, ToolAnswer> work) {
+        return asked.call(new Doing(work), new JsonObject());
     }
 
     private static Outcome get(CompletableFuture<Outcome> outcome) throws Exception {
@@ -84,8 +89,11 @@ class WorkshopTest {
     @Test
     void workThatDoesNotAskIsLeftToItself() throws Exception {
         CountDownLatch never = new CountDownLatch(1);
+        Duration soon = Duration.ofMillis(200);
+        Workshop hasty = new Workshop(session, List.of("models"), soon, soon);
         CompletableFuture<Outcome> stuck =
                 call(
+                        hasty,
                         any -> {
                             try {
                                 never.await();
@@ -94,10 +102,11 @@ class WorkshopTest {
                             }
                             return new ToolAnswer("late");
                         });
-        CompletableFuture<Outcome> next = call(any -> new ToolAnswer("next"));
+        CompletableFuture<Outcome> next = call(hasty, any -> new ToolAnswer("next"));
         assertThat(get(stuck).answer().text()).contains("and it goes on");
         assertThat(get(next).answer().text()).isEqualTo("next");
         never.countDown();
+        hasty.close();
     }
 
     @Test

@@ -12,6 +12,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Expression;
+import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -124,16 +125,16 @@ class TransitionMutantsTest {
     /** The figures of the paper: without a transition, and with another output of one. */
     @TestFactory
     Stream<DynamicTest> changedFiguresFail() {
+        Model coffee = TransitionTestsTest.model(TransitionTestsTest.COFFEE, Optional.empty());
         return Stream.of("fig3", "fig5", "fig6")
-                .map(name -> "coffee." + name + ".AvoidCrash")
-                .map(name -> DynamicTest.dynamicTest(name, () -> mutantsFail(name)));
+                .map(name -> coffee.component("coffee." + name + ".AvoidCrash").orElseThrow())
+                .map(
+                        figure ->
+                                DynamicTest.dynamicTest(
+                                        figure.qualifiedName(), () -> mutantsFail(figure)));
     }
 
-    private static void mutantsFail(String name) {
-        Component figure =
-                TransitionTestsTest.model(TransitionTestsTest.COFFEE, Optional.empty())
-                        .component(name)
-                        .orElseThrow();
+    private static void mutantsFail(Component figure) {
         List<StreamTest> tests = streams(tests(figure));
         List<Automaton.Transition> transitions = figure.automata().get(0).transitions();
         for (int i = 0; i < transitions.size(); i++) {
