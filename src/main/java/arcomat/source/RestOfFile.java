@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * That a file may have more errors than are told, so that no sum of them is mistaken for all: it
- * has too many, or one that keeps the file from being parsed.
+ * Warns that a file may have more errors than are told, so that no sum of them is mistaken for all:
+ * it has too many, or one that keeps the file from being parsed.
  */
 public final class RestOfFile {
     private static final String CODE = "ARC0008";

@@ -48,7 +48,7 @@ class StartScriptTest {
         return new Said(text.lines().toList(), process.waitFor());
     }
 
-    /** What start scripts of Gradle make of the same words. */
+    /** Takes words apart as start scripts of Gradle do. */
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

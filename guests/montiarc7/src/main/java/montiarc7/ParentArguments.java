@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Whether a component gives its parent what that one asks for: MontiArc passes nothing on. */
+/** Checks that a component gives its parent what that one asks for: MontiArc passes nothing on. */
 final class ParentArguments {
     private final ParentContext parent;
     private final List<ParameterContext> parameters;

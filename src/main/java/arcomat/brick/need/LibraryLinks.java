@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** What leJOS' own classes use of each other, by the resource {@code links.txt}. */
+/** Knows what leJOS' own classes use of each other, by the resource {@code links.txt}. */
 final class LibraryLinks {
     private static final String RESOURCE = "/brick/links.txt";
 

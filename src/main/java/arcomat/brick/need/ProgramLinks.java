@@ -20,7 +20,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** What a class of the program uses. */
+/** Reads from a class of the program what it uses. */
 final class ProgramLinks {
     private static final String OBJECT = "java/lang/Object";
 

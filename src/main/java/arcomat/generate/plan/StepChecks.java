@@ -6,7 +6,7 @@ import arcomat.semantics.statement.Step;
 
 import java.util.List;
 
-/** Whether steps may go wrong, so that generated code has to look out for it. */
+/** Tells whether steps may go wrong, so that generated code has to look out for it. */
 final class StepChecks implements Step.Cases<Boolean> {
     private StepChecks() {}
 

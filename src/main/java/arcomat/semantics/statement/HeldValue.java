@@ -7,7 +7,7 @@ import arcomat.model.Variable;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** What a variable or a port stands for at some place of statements. */
+/** A value that a variable or a port stands for at some place of statements. */
 sealed interface HeldValue {
     HeldValue CELL = new Cell();
 

@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.function.BiPredicate;
 import java.util.function.UnaryOperator;
 
-/** What is known at a place of statements while they are turned into steps. */
+/** A place of statements, with what is known there, while they are turned into steps. */
 final class Place {
     /** By name; a variable that is not there stands in its cell, a port has not been sent on. */
     private final Map<String, HeldValue> variables;

@@ -10,7 +10,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
-/** What goes to the agent, a message on each line, whichever thread has it. */
+/** Writes messages to the agent, one on each line, from any thread. */
 final class Outbox {
     private final OutputStream out;
     private int expected;

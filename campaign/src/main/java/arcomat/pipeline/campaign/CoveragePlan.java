@@ -171,7 +171,7 @@ final class CoveragePlan {
                 automaton.initials().stream().map(Automaton.Initial::state).toList());
     }
 
-    /** Of the ways through statements the first stands for all. */
+    /** Transitions by their positions; the first way through statements stands for all of them. */
     private static List<Integer> counted(AutomatonLines lines) {
         List<Automaton.Transition> all = lines.automaton().transitions();
         return IntStream.range(0, all.size())

@@ -8,7 +8,10 @@ import picocli.CommandLine.Option;
 
 import java.util.List;
 
-/** Of commands that prove: whether it is a failure that what holds says nothing. */
+/**
+ * The option {@code --strict} of commands that prove: a verdict that holds only because there is no
+ * run ends them with 1.
+ */
 public final class StrictOption {
     @Option(
             names = "--strict",

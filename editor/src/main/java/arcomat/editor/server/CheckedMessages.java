@@ -95,7 +95,7 @@ final class CheckedMessages extends MessageJsonHandler {
         }
     }
 
-    /** Of a question of the server; one that nobody understands answers nothing. */
+    /** Reads the answer to a question of the server; one that cannot be read answers nothing. */
     private Message response(String text) {
         try {
             return super.parseMessage(new StringReader(text));

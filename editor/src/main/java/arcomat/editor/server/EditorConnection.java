@@ -22,7 +22,7 @@ public final class EditorConnection {
         }
     }
 
-    /** What listens to an editor once it is told to. */
+    /** Makes the connection to an editor, which listens once it is told to. */
     public static Launcher<LanguageClient> of(
             EditorServer server, InputStream in, OutputStream out) {
         return new Checked()

@@ -1,6 +1,6 @@
 package arcomat.sim;
 
-/** Who observes a program has thrown something: the program is over, by no fault of its own. */
+/** An observer of a program has thrown something: the program is over, by no fault of its own. */
 final class ObserverFailed extends RuntimeException {
     ObserverFailed(Throwable error) {
         super("an observer of the program failed: " + error, error);

@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.Set;
 
 /**
- * What the value of an expression tells of messages.
+ * The messages that are known to be there by the value of an expression.
  *
  * @param always the ports without whose message it has no value
  * @param whenTrue the ports that have a message where it is true
