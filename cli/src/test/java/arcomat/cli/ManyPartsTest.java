@@ -54,7 +54,7 @@ class ManyPartsTest {
         };
         for (String command : commands) {
             Outcome outcome = shell.run("$A " + command + " .");
-            assertThat(outcome.out())
+            assertThat(outcome.out() + outcome.err())
                     .contains("error ARC0131: component 'L5' consists of 111,110 parts")
                     .containsOnlyOnce("ARC0131");
         }

@@ -166,7 +166,7 @@ public final class Browser implements AutoCloseable {
         Instant end = Instant.now().plus(patience);
         while (!condition.get()) {
             if (Instant.now().isAfter(end)) {
-                throw new AssertionError("waited in vain");
+                throw new AssertionError("waited in vain at " + driver.getCurrentUrl());
             }
             LockSupport.parkNanos(PAUSE.toNanos());
         }
