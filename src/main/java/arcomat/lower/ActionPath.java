@@ -6,12 +6,10 @@ import arcomat.model.Variable;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 
 /**
  * One way through statements, up to some place. All that it has is said of the values before the
@@ -19,15 +17,13 @@ import java.util.Set;
  *
  * @param conditions that are true where this way is gone, first to last
  * @param values what variables stand for, in the order of their first assignment
- * @param locals those of them that nobody keeps
  * @param sends what ports carry, by their names, in the order of their first message
  */
 record ActionPath(
         List<Expression> conditions,
         Map<Variable, Expression> values,
-        Set<Variable> locals,
         Map<String, Automaton.Send> sends) {
-    static final ActionPath EMPTY = new ActionPath(List.of(), Map.of(), Set.of(), Map.of());
+    static final ActionPath EMPTY = new ActionPath(List.of(), Map.of(), Map.of());
 
     /** The value of an expression at this place. */
     Expression current(Expression expression) {
@@ -37,33 +33,18 @@ record ActionPath(
         return values.isEmpty() ? expression : expression.withOperands(this::current);
     }
 
-    /**
-     * @param condition at this place
-     */
-    ActionPath when(Expression condition) {
-        List<Expression> more = new ArrayList<>(conditions);
-        if (!(condition instanceof Expression.Constant)) {
-            more.add(condition);
-        }
-        return new ActionPath(more, values, locals, sends);
-    }
-
     /** What is assigned last counts. */
-    ActionPath assigning(Variable variable, Expression value, boolean isLocal) {
+    ActionPath assigning(Variable variable, Expression value) {
         Map<Variable, Expression> more = new LinkedHashMap<>(values);
         more.put(variable, current(value));
-        Set<Variable> known = new HashSet<>(locals);
-        if (isLocal) {
-            known.add(variable);
-        }
-        return new ActionPath(conditions, more, known, sends);
+        return new ActionPath(conditions, more, sends);
     }
 
     /** What is sent last counts. */
     ActionPath sending(Automaton.Send send) {
         Map<String, Automaton.Send> more = new LinkedHashMap<>(sends);
         more.put(send.port().name(), new Automaton.Send(send.port(), current(send.emission())));
-        return new ActionPath(conditions, values, locals, more);
+        return new ActionPath(conditions, values, more);
     }
 
     private Automaton.Emission current(Automaton.Emission emission) {
@@ -81,7 +62,7 @@ record ActionPath(
         values.keySet().stream()
                 .sorted(Comparator.comparingInt(each -> names.indexOf(each.name())))
                 .forEach(each -> ordered.put(each, Objects.requireNonNull(values.get(each))));
-        return new ActionPath(conditions, ordered, locals, sends);
+        return new ActionPath(conditions, ordered, sends);
     }
 
     /** All that it asks, assigns and sends. */
@@ -94,7 +75,6 @@ record ActionPath(
 
     List<Automaton.Assignment> assignments() {
         return values.entrySet().stream()
-                .filter(each -> !locals.contains(each.getKey()))
                 .map(each -> new Automaton.Assignment(each.getKey(), each.getValue()))
                 .toList();
     }

@@ -33,7 +33,15 @@ final class Alternative {
                 && (sum.operator() == BinaryOperator.PLUS || sum.operator() == BinaryOperator.MINUS)
                 && sum.type() instanceof Type.IntegerType
                 && sum.right().type() instanceof Type.IntegerType
-                && sum.left().equals(base);
+                && isSame(sum.left(), base);
+    }
+
+    /** Whether both are the same text, or read the same variable at different places. */
+    private static boolean isSame(Expression one, Expression other) {
+        return one.equals(other)
+                || one instanceof Expression.VariableRead read
+                        && other instanceof Expression.VariableRead again
+                        && read.variable().equals(again.variable());
     }
 
     private static Expression sum(Expression.Binary sum, Expression added) {

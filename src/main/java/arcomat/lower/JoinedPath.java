@@ -30,8 +30,7 @@ record JoinedPath(ActionPath path, Set<String> present) {
     JoinedPath unasked(Set<String> known) {
         Set<String> all = new HashSet<>(present);
         all.addAll(known);
-        return new JoinedPath(
-                new ActionPath(List.of(), path.values(), path.locals(), path.sends()), all);
+        return new JoinedPath(new ActionPath(List.of(), path.values(), path.sends()), all);
     }
 
     JoinedPath with(ActionPath other) {
@@ -42,14 +41,14 @@ record JoinedPath(ActionPath path, Set<String> present) {
     JoinedPath behind(List<Expression> conditions) {
         List<Expression> all = new ArrayList<>(conditions);
         all.addAll(path.conditions());
-        return with(new ActionPath(all, path.values(), path.locals(), path.sends()));
+        return with(new ActionPath(all, path.values(), path.sends()));
     }
 
     /** The same without what is known no more. */
     JoinedPath without(Set<Variable> forgotten) {
         Map<Variable, Expression> values = new LinkedHashMap<>(path.values());
         values.keySet().removeAll(forgotten);
-        return with(new ActionPath(path.conditions(), values, path.locals(), path.sends()));
+        return with(new ActionPath(path.conditions(), values, path.sends()));
     }
 
     /**
@@ -86,9 +85,7 @@ record JoinedPath(ActionPath path, Set<String> present) {
             }
             values.put(variable, Alternative.of(condition, first, second));
         }
-        Set<Variable> locals = new HashSet<>(path.locals());
-        locals.addAll(other.path.locals());
-        return Optional.of(new ActionPath(List.of(), values, locals, sends));
+        return Optional.of(new ActionPath(List.of(), values, sends));
     }
 
     private static Expression read(Variable variable) {

@@ -123,17 +123,12 @@ final class StatementWays implements Statement.Cases<List<JoinedPath>> {
     @Override
     public List<JoinedPath> declare(Statement.Declare declare) {
         Variable local = declare.local();
-        return each(path -> path.assigning(local, local.initial(), true));
+        return each(path -> path.assigning(local, local.initial()));
     }
 
     @Override
     public List<JoinedPath> assign(Statement.Assign assign) {
-        return each(
-                path ->
-                        path.assigning(
-                                assign.variable(),
-                                assign.value(),
-                                path.locals().contains(assign.variable())));
+        return each(path -> path.assigning(assign.variable(), assign.value()));
     }
 
     @Override

@@ -69,6 +69,9 @@ final class ModelText {
         } else if (component.body() instanceof Component.Atomic atomic) {
             atomic.automata().forEach(a -> automaton("automaton", a));
         }
+        component
+                .invariants()
+                .forEach(i -> line(1, "invariant " + i.name() + ": " + show(i.condition())));
     }
 
     private static String parameter(Parameter parameter) {
@@ -90,6 +93,7 @@ final class ModelText {
                 + port.type().name()
                 + (port.total() ? " total" : "")
                 + (port.latched() ? " latched" : "")
+                + port.first().map(first -> " from " + first).orElse("")
                 + (port.isInput() ? "" : " delay " + port.delay());
     }
 
@@ -107,14 +111,15 @@ final class ModelText {
         line(
                 1,
                 (kind
-                                + " "
-                                + automaton.name()
-                                + " "
-                                + automaton.completion()
-                                + " "
-                                + automaton.omitted())
-                        .toLowerCase()
-                        .replace("  ", " "));
+                                        + " "
+                                        + automaton.name()
+                                        + " "
+                                        + automaton.completion()
+                                        + " "
+                                        + automaton.omitted())
+                                .toLowerCase()
+                                .replace("  ", " ")
+                        + (automaton.violated() == Automaton.Violated.STOP ? "" : " continue"));
         line(2, "states " + String.join(", ", automaton.states()));
         automaton.variables().forEach(v -> line(2, "variable " + variable(v)));
         for (Automaton.Initial initial : automaton.initials()) {
@@ -134,8 +139,13 @@ final class ModelText {
                             + (t.matches().isEmpty()
                                     ? ""
                                     : " {" + join(t.matches(), m -> match(m)) + "}")
-                            + effects(t.sends(), t.assignments()));
+                            + effects(t.sends(), t.assignments())
+                            + t.body().map(ModelText::standing).orElse(""));
         }
+    }
+
+    private static String standing(Automaton.Body body) {
+        return " as " + body.standing().toString().toLowerCase();
     }
 
     private static String effects(
