@@ -15,6 +15,7 @@ import java.util.List;
 public final class AutomatonLaws {
     public static final List<Law> LAWS =
             List.of(
+                    warning("ARC0356", new BeginTogether()).needing(ALL),
                     error("ARC0324", new EmbeddedAutomatonInterface()),
                     error("ARC0315", new GuardIsBoolean()),
                     error("ARC0302", new InitialRequired()).needing(ALL),
