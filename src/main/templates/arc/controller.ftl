@@ -31,6 +31,11 @@ component ${name}<#if refines?has_content> refines ${refines?join(", ")}</#if> {
         ${stereotypes(port)}${port.input?then("in", "out")} ${port.type} ${port.name}<#sep>,</#sep><#if !port?has_next>;</#if>
 </#list>
 
+<#list written as text>
+    ${text}
+
+</#list>
+<#if !written?has_content>
     <<completion = "${completion}">> automaton {
         state ${states?join(", ")};
 
@@ -42,4 +47,5 @@ component ${name}<#if refines?has_content> refines ${refines?join(", ")}</#if> {
 </#list>
 </#list>
     }
+</#if>
 }

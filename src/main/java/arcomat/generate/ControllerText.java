@@ -8,9 +8,11 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.source.ArrayNames;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,10 +20,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Writes a synthesised controller as the text of a model: an atomic component with one automaton
- * that sends constants, has no variables, and compares its inputs with constants.
+ * that sends constants, has no variables, and compares its inputs with constants. And what it
+ * keeps, where that is asked of a decomposed component.
  */
 public final class ControllerText {
     private final Component component;
@@ -30,7 +34,7 @@ public final class ControllerText {
 
     private ControllerText(Component component) {
         this.component = component;
-        this.automaton = ((Component.Atomic) component.body()).automata().get(0);
+        this.automaton = component.automata().get(0);
         this.words = new ModelWords(component);
     }
 
@@ -38,24 +42,88 @@ public final class ControllerText {
      * @param remarks lines that say where the controller comes from
      */
     public static GeneratedFile of(Component controller, List<String> remarks) {
-        String folder = controller.packageName().replace('.', '/');
-        String path = (folder.isEmpty() ? "" : folder + "/") + controller.name() + ".arc";
         ControllerView view = new ControllerText(controller).view(remarks);
+        return file(controller.packageName(), controller.name(), view);
+    }
+
+    /**
+     * A component without parts that is asked the same as a decomposed one: its ports and the texts
+     * of its automata. A sole one leaves the outputs alone that it does not write.
+     *
+     * @param name of the new component, without its package
+     * @param imports of the files in which the automata stand, qualified names or wildcards
+     * @param remarks lines that say where it comes from
+     */
+    public static GeneratedFile required(
+            Component component, String name, Collection<String> imports, List<String> remarks) {
+        List<Automaton> automata = component.requirements();
+        List<Port> ports =
+                automata.size() > 1
+                        ? component.ports()
+                        : component.ports().stream()
+                                .filter(each -> isSaid(each, automata.get(0)))
+                                .toList();
+        ControllerText text = new ControllerText(component);
+        ControllerView view =
+                new ControllerView(
+                        component.packageName(),
+                        Stream.concat(
+                                        imports.stream(),
+                                        text.words.imports().stream()
+                                                .filter(each -> !isKnown(each, imports)))
+                                .toList(),
+                        remarks,
+                        text.layer(),
+                        name,
+                        List.of(),
+                        text.isInstant(),
+                        ports.stream().flatMap(port -> text.declared(port).stream()).toList(),
+                        automata.stream().map(each -> each.span().text()).toList(),
+                        "",
+                        List.of(),
+                        "",
+                        List.of(),
+                        List.of());
+        return file(component.packageName(), name, view);
+    }
+
+    private static boolean isKnown(String type, Collection<String> imports) {
+        String all = type.substring(0, type.lastIndexOf('.')) + ".*";
+        return imports.contains(type) || imports.contains(all);
+    }
+
+    private static boolean isSaid(Port port, Automaton automaton) {
+        return port.isInput() || ComponentSemantics.written(automaton).contains(port.name());
+    }
+
+    private static GeneratedFile file(String packageName, String name, ControllerView view) {
+        String folder = packageName.replace('.', '/');
+        String path = (folder.isEmpty() ? "" : folder + "/") + name + ".arc";
         return new GeneratedFile(path, ShippedTemplates.render("arc", "controller.ftl", view));
+    }
+
+    private String layer() {
+        return component.layer() == Component.Layer.LOGIC
+                ? ""
+                : component.layer().name().toLowerCase(Locale.ROOT);
+    }
+
+    private boolean isInstant() {
+        return component.outputs().stream().allMatch(port -> port.delay() == 0);
     }
 
     private ControllerView view(List<String> remarks) {
         Automaton.Initial initial = automaton.initials().get(0);
-        boolean logic = component.layer() == Component.Layer.LOGIC;
         return new ControllerView(
                 component.packageName(),
                 words.imports(),
                 remarks,
-                logic ? "" : component.layer().name().toLowerCase(Locale.ROOT),
+                layer(),
                 component.name(),
                 component.refines(),
-                component.outputs().stream().allMatch(port -> port.delay() == 0),
+                isInstant(),
                 component.ports().stream().flatMap(port -> declared(port).stream()).toList(),
+                List.of(),
                 automaton.completion().name().toLowerCase(Locale.ROOT),
                 automaton.states(),
                 automaton.states().get(initial.state()),

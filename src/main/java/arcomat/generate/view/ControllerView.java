@@ -3,12 +3,13 @@ package arcomat.generate.view;
 import java.util.List;
 
 /**
- * A component with one automaton, as the text of a model.
+ * A component with one automaton, or with some that are written already, as the text of a model.
  *
  * @param imports qualified names
  * @param remarks lines of its comment
  * @param layer empty for the usual one
  * @param instant whether all outputs show what is sent in the same slice
+ * @param written texts of automata; the automaton below where there are none
  * @param initial the initial state
  * @param sends what is sent there
  * @param groups the transitions, state by state; states without are left out
@@ -22,6 +23,7 @@ public record ControllerView(
         List<String> refines,
         boolean instant,
         List<DeclarationView> ports,
+        List<String> written,
         String completion,
         List<String> states,
         String initial,

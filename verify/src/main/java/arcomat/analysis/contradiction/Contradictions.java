@@ -194,14 +194,24 @@ public final class Contradictions {
                 .map(automaton -> controller(required, automaton, kept()));
     }
 
-    /** What the controller may say it refines: a component that has no more to it than these. */
+    /**
+     * What the controller may say it refines: a component that has no more to it than these. What
+     * refines a decomposed component does what its parts do, so that it is another component with
+     * the same requirements.
+     */
     private List<String> kept() {
         Component required = promise.component();
-        boolean all =
-                required.body() instanceof Component.Atomic atomic
-                        && atomic.automata().size() == promise.automata().size();
+        boolean all = required.automata().size() == promise.automata().size();
         boolean named = required.name().matches("\\w+") && required.parameters().isEmpty();
-        return all && named ? List.of(required.qualifiedName()) : List.of();
+        if (!all || !named) {
+            return List.of();
+        }
+        if (required.body() instanceof Component.Atomic) {
+            return List.of(required.qualifiedName());
+        }
+        return required.constants().isEmpty()
+                ? List.of(required.qualifiedName() + "Requirements")
+                : List.of();
     }
 
     private static Component controller(

@@ -19,10 +19,13 @@ import arcomat.source.SourceFile;
 import arcomat.syntax.Formatter;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Looks for contradictions between the requirements on a component, and writes a controller where
@@ -46,12 +49,14 @@ public record FindContradictions(
      *
      * @param asked the requirements
      * @param controller the text of a controller that keeps them; empty where there is none
+     * @param requirements the text of what it refines, where that is no component yet
      * @param file where the controller was written; empty if it was not
      */
     public record Found(
             Promise asked,
             Consistency consistency,
             Optional<String> controller,
+            Optional<String> requirements,
             Optional<String> file) {}
 
     @Override
@@ -68,13 +73,51 @@ public record FindContradictions(
         session.progress().step("looking for contradictions");
         Consistency found = find(promise);
         Optional<GeneratedFile> controller = found.controller().map(each -> text(each, promise));
+        Optional<GeneratedFile> requirements =
+                found.controller().flatMap(each -> requirements(each, promise, models));
         Optional<String> written = Optional.empty();
         if (controller.isPresent() && out.isPresent()) {
-            GeneratedFile file = controller.get();
-            OutputFolder.replaceTexts(out.get(), Map.of(file.path(), file.text()), session.names());
-            written = Optional.of(out.get() + "/" + file.path());
+            Map<String, String> texts =
+                    Stream.concat(controller.stream(), requirements.stream())
+                            .collect(Collectors.toMap(GeneratedFile::path, GeneratedFile::text));
+            OutputFolder.replaceTexts(out.get(), texts, session.names());
+            written = Optional.of(out.get() + "/" + controller.get().path());
         }
-        return new Found(promise, found, controller.map(GeneratedFile::text), written);
+        return new Found(
+                promise,
+                found,
+                controller.map(GeneratedFile::text),
+                requirements.map(GeneratedFile::text),
+                written);
+    }
+
+    /** The component that a controller says it refines, where it is none of the models. */
+    private Optional<GeneratedFile> requirements(
+            Component controller, Promise promise, LoweredModels models) {
+        Component required = promise.component();
+        if (!required.isComposite() || controller.refines().isEmpty()) {
+            return Optional.empty();
+        }
+        String name = controller.refines().get(0);
+        Set<String> imports = new LinkedHashSet<>();
+        for (Automaton automaton : required.requirements()) {
+            models.checked().workspace().units().stream()
+                    .filter(unit -> unit.file().equals(automaton.span().file()))
+                    .flatMap(unit -> unit.imports().stream())
+                    .forEach(
+                            each ->
+                                    imports.add(
+                                            each.name().text() + (each.wildcard() ? ".*" : "")));
+        }
+        GeneratedFile file =
+                ControllerText.required(
+                        required,
+                        name.substring(name.lastIndexOf('.') + 1),
+                        imports,
+                        List.of(
+                                "Made by arcomat contradictions " + component + ".",
+                                "What is asked of " + required.name() + ", without its parts."));
+        return Optional.of(formatted(file));
     }
 
     private Consistency find(Promise promise) throws WrongUse {
@@ -97,7 +140,10 @@ public record FindContradictions(
         if (!kept.isEmpty() && kept.length() < LONGEST_REMARK) {
             remarks.add("It keeps " + kept + ".");
         }
-        GeneratedFile file = ControllerText.of(controller, remarks);
+        return formatted(ControllerText.of(controller, remarks));
+    }
+
+    private static GeneratedFile formatted(GeneratedFile file) {
         String formatted =
                 Formatter.format(new SourceFile(file.path(), file.text()))
                         .text()

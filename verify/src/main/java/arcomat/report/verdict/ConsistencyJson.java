@@ -18,6 +18,7 @@ public record ConsistencyJson(
         String reason,
         List<Conflict> contradictions,
         Optional<String> controller,
+        Optional<String> requirements,
         Optional<String> file,
         List<String> notes,
         Explored explored) {
@@ -62,10 +63,14 @@ public record ConsistencyJson(
 
     /**
      * @param controller its text
+     * @param requirements the text of what it refines, where that is no component yet
      * @param file where that was written
      */
     public static String render(
-            Consistency found, Optional<String> controller, Optional<String> file) {
+            Consistency found,
+            Optional<String> controller,
+            Optional<String> requirements,
+            Optional<String> file) {
         boolean fails = found.answer() == Verdict.Answer.FAILS;
         return Json.text(
                 new ConsistencyJson(
@@ -73,6 +78,7 @@ public record ConsistencyJson(
                         fails ? "contradiction" : found.reason(),
                         found.contradictions().stream().map(Conflict::of).toList(),
                         controller,
+                        requirements,
                         file,
                         found.notes(),
                         new Explored(found.explored())));

@@ -79,7 +79,8 @@ public final class ContradictionsCommand extends AnalysisCommand<FindContradicti
 
     @Override
     protected String json(Found found) {
-        return ConsistencyJson.render(found.consistency(), found.controller(), found.file());
+        return ConsistencyJson.render(
+                found.consistency(), found.controller(), found.requirements(), found.file());
     }
 
     @Override
@@ -87,7 +88,13 @@ public final class ContradictionsCommand extends AnalysisCommand<FindContradicti
         return ConsistencyText.render(
                 found.asked().title(),
                 found.consistency(),
-                found.controller(),
+                found.controller()
+                        .map(
+                                text ->
+                                        text
+                                                + found.requirements()
+                                                        .map(each -> "\n" + each)
+                                                        .orElse("")),
                 found.file(),
                 style);
     }

@@ -6,6 +6,8 @@ import arcomat.analysis.Sections;
 import arcomat.analysis.Sections.Section;
 import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.search.Budget;
+import arcomat.generate.ControllerText;
+import arcomat.generate.GeneratedFile;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.semantics.Promise;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.TestFactory;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -57,6 +60,16 @@ class ControllerTextTest {
         SourceFile file = ControllerReading.text(controller, component);
         assertThat(file.text().lines().filter(line -> !line.isBlank()))
                 .containsExactlyElementsOf(expected.lines());
-        ControllerReading.check(sections.sources(), file, controller);
+        List<SourceFile> models = new ArrayList<>(sections.sources());
+        if (component.isComposite()) {
+            models.add(requirements(component, controller));
+        }
+        ControllerReading.check(models, file, controller);
+    }
+
+    private static SourceFile requirements(Component component, Component controller) {
+        String name = controller.refines().get(0);
+        GeneratedFile file = ControllerText.required(component, name, List.of(), List.of("Asks."));
+        return new SourceFile(file.path(), file.text());
     }
 }
