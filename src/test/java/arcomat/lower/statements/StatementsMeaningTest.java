@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
+import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -69,11 +70,13 @@ class StatementsMeaningTest {
                     computed
                             ? computed(program)
                             : text(program, guarded ? "[" + guard.text() + "] " : "");
-            Optional<StepRelation> relation = relation(text);
-            if (relation.isEmpty()) {
+            Optional<Component> component = component(text);
+            if (component.isEmpty()) {
                 seen.merge("too many ways", 1, Integer::sum);
                 continue;
             }
+            StepRelation ways = relation(component.get());
+            StepRelation whole = relation(whole(component.get()));
             for (int step = 0; step < STEPS; step++) {
                 Map<String, Object> messages = messages(random);
                 Map<String, Object> variables = variables(random);
@@ -83,9 +86,11 @@ class StatementsMeaningTest {
                                         .truth()
                                         .equals(Optional.of(true));
                 String expected = may ? done(program, messages, variables) : NOT_ENABLED;
-                assertThat(taken(relation.get(), messages, variables))
-                        .as("seed %s, %s, %s in%n%s", seed, messages, variables, text)
-                        .isEqualTo(expected);
+                for (StepRelation relation : List.of(ways, whole)) {
+                    assertThat(taken(relation, messages, variables))
+                            .as("seed %s, %s, %s in%n%s", seed, messages, variables, text)
+                            .isEqualTo(expected);
+                }
                 seen.merge(expected.startsWith("o") ? "done" : expected, 1, Integer::sum);
             }
         }
@@ -133,7 +138,7 @@ class StatementsMeaningTest {
                 .formatted(String.join("\n      ", program.lines()));
     }
 
-    private static Optional<StepRelation> relation(String text) {
+    private static Optional<Component> component(String text) {
         Parsed parsed = Parser.parse(new SourceFile("C.arc", text));
         assertThat(parsed.findings()).as(text).isEmpty();
         Workspace workspace =
@@ -149,8 +154,42 @@ class StatementsMeaningTest {
         if (!findings.isEmpty()) {
             return Optional.empty();
         }
-        Component component = Lowering.lower(workspace).components().get(0);
-        return Optional.of(ComponentSemantics.of(component, List.of()).relations().get(0));
+        return Optional.of(Lowering.lower(workspace).components().get(0));
+    }
+
+    private static StepRelation relation(Component component) {
+        return ComponentSemantics.of(component, List.of()).relations().get(0);
+    }
+
+    /** The same with statements that are done one by one, as where there are too many ways. */
+    private static Component whole(Component component) {
+        Automaton automaton = component.automata().get(0);
+        List<Automaton.Transition> transitions = new ArrayList<>();
+        for (Automaton.Transition each : automaton.transitions()) {
+            boolean again =
+                    !transitions.isEmpty()
+                            && each.body().isPresent()
+                            && each.isSameStatements(automaton.transitions().get(0));
+            if (!again) {
+                transitions.add(each.body().map(body -> whole(each, body)).orElse(each));
+            }
+        }
+        return component.like(
+                component.name(),
+                component.ports(),
+                new Component.Atomic(List.of(automaton.withTransitions(transitions))),
+                component.span());
+    }
+
+    private static Automaton.Transition whole(Automaton.Transition way, Automaton.Body body) {
+        return way.with(body.guard(), body.matches(), List.of(), List.of())
+                .of(
+                        new Automaton.Body(
+                                body.guard(),
+                                body.matches(),
+                                body.statement(),
+                                1,
+                                Automaton.Standing.WHOLE));
     }
 
     private static Map<String, Object> messages(Random random) {
