@@ -26,6 +26,21 @@ abstract class MethodWeights {
         this.library = library;
     }
 
+    /** For who wants to know ways and not what they weigh. */
+    static MethodWeights none(Code code, LibraryCost library) {
+        return new MethodWeights(code, library) {
+            @Override
+            protected long own(AbstractInsnNode instruction) {
+                return 0;
+            }
+
+            @Override
+            protected long ofLibrary(MethodName method) {
+                return 0;
+            }
+        };
+    }
+
     /** An instruction's own weight; a call without what it calls. */
     protected abstract long own(AbstractInsnNode instruction);
 
@@ -71,8 +86,17 @@ abstract class MethodWeights {
 
     private long ofBody(MethodName method, MethodNode body) {
         FlowGraph graph = new FlowGraph(body);
-        BitSet useful = graph.useful(i -> isEnd(graph.instruction(i)));
-        return HeaviestPath.of(graph, useful, library.rounds(method), this::of);
+        return HeaviestPath.of(graph, useful(graph), library.rounds(method), this::of);
+    }
+
+    /** What lies on a way to a return, past calls that come back. */
+    final BitSet useful(FlowGraph graph) {
+        return graph.useful(i -> isEnd(graph.instruction(i)));
+    }
+
+    /** Whether the ways through a method can be gone one by one: its loops show when they end. */
+    final boolean isWalked(MethodName method) {
+        return isLookedInto(method) && library.rounds(method).isEmpty();
     }
 
     private boolean isEnd(AbstractInsnNode instruction) {
@@ -95,7 +119,7 @@ abstract class MethodWeights {
     private boolean hasReturn(MethodNode body) {
         boolean isNative = (body.access & (Opcodes.ACC_NATIVE | Opcodes.ACC_ABSTRACT)) != 0;
         FlowGraph graph = new FlowGraph(body);
-        return isNative || !graph.useful(i -> isEnd(graph.instruction(i))).isEmpty();
+        return isNative || !useful(graph).isEmpty();
     }
 
     /** An instruction's weight; a call's with what it calls. */

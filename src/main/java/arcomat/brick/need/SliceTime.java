@@ -11,6 +11,7 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
 import java.util.HashSet;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -46,9 +47,32 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
         Times times = new Times(code, library, regulation);
         long parts = 0;
         for (AbstractInsnNode each : slices.instructions) {
-            parts = Math.addExact(parts, times.of(each));
+            parts = Math.addExact(parts, isSlice(each) ? slice(each, times) : times.of(each));
         }
         return parts / (REGULATION - regulation);
+    }
+
+    private static boolean isSlice(AbstractInsnNode each) {
+        return each instanceof MethodInsnNode call
+                && call.name.equals("slice")
+                && call.desc.equals("()V");
+    }
+
+    /**
+     * Along the longest branches, or the longest ones that can come together if these are found.
+     */
+    private long slice(AbstractInsnNode call, Times times) {
+        long branches = times.of(call);
+        Optional<String> robot = entry.robot();
+        if (robot.isEmpty()) {
+            return branches;
+        }
+        try {
+            long found = new SliceSearch(code, library, robot.get()).heaviest(times);
+            return Math.min(branches, times.own(call) + found);
+        } catch (Unknown e) {
+            return branches;
+        }
     }
 
     private void refuseThreads() {
