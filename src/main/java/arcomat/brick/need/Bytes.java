@@ -11,6 +11,7 @@ import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.MultiANewArrayInsnNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -31,7 +32,11 @@ final class Bytes extends MethodWeights {
      *     each time; what slices make is left out then
      */
     Bytes(Code code, LibraryCost library, boolean isWithTexts) {
-        super(code, library);
+        this(code, library, isWithTexts, Map.of());
+    }
+
+    private Bytes(Code code, LibraryCost library, boolean isWithTexts, Map<String, Long> sizes) {
+        super(code, library, sizes);
         this.isWithTexts = isWithTexts;
         this.stacks = new Stacks(code);
     }
@@ -67,8 +72,15 @@ final class Bytes extends MethodWeights {
     }
 
     @Override
+    protected MethodWeights ofMonitor(Code alone, Map<String, Long> ofIts) {
+        return new Bytes(alone, library, isWithTexts, ofIts);
+    }
+
+    @Override
     protected boolean isLookedInto(MethodName method) {
-        return !isValues(method) && !(isWithTexts && method.equals(Entry.SLICES));
+        return !isValues(method)
+                && !library.isApart(method)
+                && !(isWithTexts && method.equals(Entry.SLICES));
     }
 
     /** An enum copies its constants for whoever asks; methods of leJOS keep nothing. */

@@ -41,6 +41,13 @@ final class Code {
         }
     }
 
+    /** The same without some classes. */
+    Code without(Collection<String> names) {
+        return new Code(
+                classes.values().stream().filter(each -> !names.contains(each.name)).toList(),
+                table);
+    }
+
     /** All methods of the program itself. */
     Set<MethodName> methods() {
         return methods.keySet();

@@ -13,6 +13,8 @@ final class Known extends BasicValue {
     /** No object. */
     static final Known NULL = object(-1);
 
+    private static final String OBJECT = "object ";
+
     private final int number;
 
     private Known(String name, int number) {
@@ -28,7 +30,7 @@ final class Known extends BasicValue {
      * @param number its place among all objects, from 0
      */
     static Known object(int number) {
-        return new Known("object ", number);
+        return new Known(OBJECT, number);
     }
 
     /** What a field holds of which nothing was written, where that can be known. */
@@ -38,6 +40,11 @@ final class Known extends BasicValue {
             case 'L', '[' -> Optional.of(NULL);
             default -> Optional.of(number(0));
         };
+    }
+
+    /** An object, or none. */
+    boolean isObject() {
+        return getType().getInternalName().startsWith(OBJECT);
     }
 
     int number() {

@@ -34,6 +34,7 @@ record Memory(Code code, LibraryCost library, Entry entry, LinkedClasses linked)
                 + bytes.of(main)
                 + bytes.stack(main)
                 + listeners()
+                + new Monitors(code, library).bytes(main)
                 + (entry.isRobot() ? ofSlice() : 0);
     }
 

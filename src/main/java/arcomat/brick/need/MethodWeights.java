@@ -10,20 +10,37 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 
 /** What methods weigh along their heaviest ways, with all that they call. */
 abstract class MethodWeights {
     protected final Code code;
     protected final LibraryCost library;
+    private final Map<String, Long> sizes;
+    private final Monitors monitors;
+    private final Map<String, MethodWeights> ofMonitors = new HashMap<>();
     private final Map<MethodName, Long> known = new HashMap<>();
     private final Map<MethodName, Unknown> unknown = new HashMap<>();
     private final Set<MethodName> open = new HashSet<>();
     private final Map<MethodName, Boolean> returning = new HashMap<>();
 
     MethodWeights(Code code, LibraryCost library) {
+        this(code, library, Map.of());
+    }
+
+    /**
+     * @param sizes by the words that stand for them where loops have a bound
+     */
+    MethodWeights(Code code, LibraryCost library, Map<String, Long> sizes) {
         this.code = code;
         this.library = library;
+        this.sizes = sizes;
+        this.monitors = new Monitors(code, library);
+    }
+
+    final MethodWeights nothing() {
+        return none(code, library);
     }
 
     /** For who wants to know ways and not what they weigh. */
@@ -46,6 +63,11 @@ abstract class MethodWeights {
 
     /** The weight of a method of leJOS. */
     protected abstract long ofLibrary(MethodName method);
+
+    /** The same for what a monitor does; without, that weighs what it weighs for all at once. */
+    protected MethodWeights ofMonitor(Code alone, Map<String, Long> ofIts) {
+        return this;
+    }
 
     /** Whether the code of a method of the program is to be weighed. */
     protected boolean isLookedInto(MethodName method) {
@@ -86,7 +108,14 @@ abstract class MethodWeights {
 
     private long ofBody(MethodName method, MethodNode body) {
         FlowGraph graph = new FlowGraph(body);
-        return HeaviestPath.of(graph, useful(graph), library.rounds(method), this::of);
+        return HeaviestPath.of(graph, useful(graph), rounds(method), this::of);
+    }
+
+    private OptionalLong rounds(MethodName method) {
+        return library.rounds(method).stream()
+                .filter(word -> sizes.containsKey(word) || Character.isDigit(word.charAt(0)))
+                .mapToLong(word -> sizes.containsKey(word) ? sizes.get(word) : Long.parseLong(word))
+                .findFirst();
     }
 
     /** What lies on a way to a return, past calls that come back. */
@@ -107,6 +136,10 @@ abstract class MethodWeights {
 
     /** Whether a call ever comes back in the ordinary way. */
     private boolean returns(MethodName method) {
+        if (library.isEnd(method)
+                || library.isOfObjects(method) && sizes.containsKey(MonitorSize.TEXT)) {
+            return false;
+        }
         Boolean before = returning.get(method);
         if (before == null) {
             returning.put(method, true); // while it is looked at; what calls itself comes back
@@ -125,13 +158,36 @@ abstract class MethodWeights {
     /** An instruction's weight; a call's with what it calls. */
     final long of(AbstractInsnNode instruction) {
         long own = own(instruction);
-        if (instruction instanceof MethodInsnNode call) {
-            long heaviest = 0;
-            for (MethodName target : code.targets(call)) {
-                heaviest = Math.max(heaviest, of(target));
-            }
-            return own + heaviest;
+        return instruction instanceof MethodInsnNode call
+                ? own + within(call).heaviest(call) + (monitors.goesOn(call) ? violation(call) : 0)
+                : own;
+    }
+
+    /** What a monitor does once, when something is violated and the robot goes on. */
+    private long violation(MethodInsnNode call) {
+        return Monitors.OF_VIOLATION.stream().mapToLong(within(call)::of).sum();
+    }
+
+    private long heaviest(MethodInsnNode call) {
+        long heaviest = 0;
+        for (MethodName target : code.targets(call)) {
+            heaviest = Math.max(heaviest, of(target));
         }
-        return own;
+        return heaviest;
+    }
+
+    /** Who weighs what a call leads to: where a monitor is asked, who knows its sizes. */
+    private MethodWeights within(MethodInsnNode call) {
+        Optional<String> monitor = monitors.asked(call);
+        return monitor.isEmpty()
+                ? this
+                : ofMonitors.computeIfAbsent(
+                        monitor.get(),
+                        each -> ofMonitor(monitors.alone(each), monitors.size(each).words()));
+    }
+
+    /** Whether a call is to be weighed at once, and not by the ways that it can go. */
+    final boolean isWeighedAtOnce(MethodInsnNode call) {
+        return monitors.asked(call).isPresent();
     }
 }

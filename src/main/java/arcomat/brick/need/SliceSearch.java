@@ -17,7 +17,7 @@ final class SliceSearch {
     /** In instructions; beyond, nothing is said. */
     private static final long PATIENCE = 200_000;
 
-    private static final Known ROBOT = Known.object(0);
+    static final Known ROBOT = Known.object(0);
 
     private final Code code;
     private final LibraryCost library;

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
@@ -57,10 +58,19 @@ record Store(List<String> objects, Map<Field, Known> fields) {
     Store without(Set<String> names) {
         return fields.keySet().stream().noneMatch(field -> names.contains(field.name()))
                 ? this
-                : new Store(
-                        objects,
-                        fields.entrySet().stream()
-                                .filter(each -> !names.contains(each.getKey().name()))
-                                .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue)));
+                : only(each -> !names.contains(each.getKey().name()));
+    }
+
+    /** Which object knows which, and no numbers. */
+    Store ofObjects() {
+        return only(each -> each.getValue().isObject());
+    }
+
+    private Store only(Predicate<Map.Entry<Field, Known>> kept) {
+        return new Store(
+                objects,
+                fields.entrySet().stream()
+                        .filter(kept)
+                        .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue)));
     }
 }

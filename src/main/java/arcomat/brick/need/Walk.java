@@ -24,7 +24,7 @@ import java.util.Set;
  * is known, and otherwise both. What is not looked into weighs what {@link MethodWeights} says, and
  * writes whatever it may write.
  */
-final class Walk {
+class Walk {
     private final Code code;
     private final MethodWeights weights;
     private final Effects effects;
@@ -66,7 +66,7 @@ final class Walk {
      * @param arguments the object that it is called on first
      * @throws Unknown if that takes too long to find out
      */
-    Map<End, Long> ends(MethodName name, List<? extends BasicValue> arguments, Store store) {
+    final Map<End, Long> ends(MethodName name, List<? extends BasicValue> arguments, Store store) {
         if (depth == BrickCost.FRAMES) {
             throw new Unknown("too many calls wait for each other");
         }
@@ -121,6 +121,9 @@ final class Walk {
     private Optional<MethodName> target(
             MethodInsnNode call, List<BasicValue> arguments, Store store) {
         MethodName named = MethodName.of(call);
+        if (weights.isWeighedAtOnce(call)) {
+            return Optional.empty();
+        }
         if (call.getOpcode() == Opcodes.INVOKESTATIC || call.getOpcode() == Opcodes.INVOKESPECIAL) {
             return code.declaration(named);
         }
