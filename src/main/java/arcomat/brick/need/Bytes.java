@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 import arcomat.sim.memory.ObjectLayout;
 
 import org.objectweb.asm.Opcodes;

@@ -2,6 +2,7 @@ package arcomat.brick.need;
 
 import arcomat.brick.api.BrickTable;
 import arcomat.brick.api.BrickType;
+import arcomat.brick.need.flow.MethodName;
 
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;

@@ -1,5 +1,9 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
+
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;

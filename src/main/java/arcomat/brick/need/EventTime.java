@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 import arcomat.graph.Digraph;
 import arcomat.graph.StrongComponents;
 
@@ -41,7 +44,7 @@ final class EventTime {
     private final List<Part> parts;
 
     /** An object that has a queue of events. */
-    private record Part(Known object, MethodName react, long capacity) {}
+    private record Part(KnownValue object, MethodName react, long capacity) {}
 
     /**
      * @param weights of what slices do
@@ -65,7 +68,7 @@ final class EventTime {
                         react ->
                                 code.method(new MethodName(react.owner(), PLACE, PLACING))
                                         .map(EventTime::capacity)
-                                        .map(of -> new Part(Known.object(object), react, of)));
+                                        .map(of -> new Part(KnownValue.object(object), react, of)));
     }
 
     /** The ring of places begins anew behind its last one. */
@@ -96,10 +99,10 @@ final class EventTime {
      * @throws Unknown if parts may send each other events without end
      */
     long of(MethodInsnNode reaction) {
-        Map<Known, Long> handled = new HashMap<>();
+        Map<KnownValue, Long> handled = new HashMap<>();
         long rounds = 1 + follow(handled);
         long all = Math.multiplyExact(rounds, round(reaction));
-        Walk walk = new Walk(code, weights, false, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, weights, false, PATIENCE);
         for (Part each : parts) {
             long one = reacting(each, walk);
             all = Math.addExact(all, Math.multiplyExact(handled.get(each.object()), one));
@@ -107,18 +110,18 @@ final class EventTime {
         return all;
     }
 
-    private static long heaviest(Map<Walk.End, Long> ends) {
+    private static long heaviest(Map<StoreWalk.End, Long> ends) {
         return ends.values().stream().mapToLong(way -> way).max().orElse(0);
     }
 
-    private long reacting(Part part, Walk walk) {
+    private long reacting(Part part, StoreWalk walk) {
         return heaviest(walk.ends(part.react(), List.of(part.object()), store));
     }
 
     /** A round in which all parts are asked, besides what those do that react. */
     private long round(MethodInsnNode reaction) {
-        Walk asking =
-                new Walk(code, weights, false, PATIENCE) {
+        StoreWalk asking =
+                new StoreWalk(code, weights, false, PATIENCE) {
                     @Override
                     Map<End, Long> called(
                             MethodInsnNode call, List<BasicValue> arguments, Store before) {
@@ -145,7 +148,7 @@ final class EventTime {
      *
      * @return after how many rounds none waits any more
      */
-    private long follow(Map<Known, Long> handled) {
+    private long follow(Map<KnownValue, Long> handled) {
         Map<Part, Map<Part, Long>> senders = senders();
         Map<Part, Long> rounds = new HashMap<>();
         for (Part each : inOrder(senders)) {
@@ -166,7 +169,7 @@ final class EventTime {
     private Map<Part, Map<Part, Long>> senders() {
         Map<Part, Map<Part, Long>> senders = new HashMap<>();
         for (Part to : parts) {
-            Walk counting = counting(to);
+            StoreWalk counting = counting(to);
             Map<Part, Long> sent = new HashMap<>();
             for (Part from : parts) {
                 long events = reacting(from, counting);
@@ -180,8 +183,8 @@ final class EventTime {
     }
 
     /** Counts the events that get a place in a part's queue. */
-    private Walk counting(Part to) {
-        return new Walk(code, weights.nothing(), false, PATIENCE) {
+    private StoreWalk counting(Part to) {
+        return new StoreWalk(code, weights.nothing(), false, PATIENCE) {
             @Override
             Map<End, Long> called(MethodInsnNode call, List<BasicValue> arguments, Store before) {
                 Map<End, Long> ends = super.called(call, arguments, before);

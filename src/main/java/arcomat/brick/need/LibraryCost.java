@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

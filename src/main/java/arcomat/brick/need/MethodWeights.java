@@ -1,5 +1,10 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.FlowGraph;
+import arcomat.brick.need.flow.HeaviestPath;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
+
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
@@ -18,7 +23,7 @@ abstract class MethodWeights {
     protected final Code code;
     protected final LibraryCost library;
     private final Map<String, Long> sizes;
-    private final Monitors monitors;
+    private final RobotMonitors monitors;
     private final Map<String, MethodWeights> ofMonitors = new HashMap<>();
     private final Map<MethodName, Long> known = new HashMap<>();
     private final Map<MethodName, Unknown> unknown = new HashMap<>();
@@ -36,7 +41,7 @@ abstract class MethodWeights {
         this.code = code;
         this.library = library;
         this.sizes = sizes;
-        this.monitors = new Monitors(code, library);
+        this.monitors = new RobotMonitors(code, library);
     }
 
     final MethodWeights nothing() {
@@ -165,7 +170,7 @@ abstract class MethodWeights {
 
     /** What a monitor does once, when something is violated and the robot goes on. */
     private long violation(MethodInsnNode call) {
-        return Monitors.OF_VIOLATION.stream().mapToLong(within(call)::of).sum();
+        return RobotMonitors.OF_VIOLATION.stream().mapToLong(within(call)::of).sum();
     }
 
     private long heaviest(MethodInsnNode call) {

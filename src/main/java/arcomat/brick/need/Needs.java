@@ -1,6 +1,7 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.need.flow.Unknown;
 
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.tree.ClassNode;
@@ -38,7 +39,7 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
         LinkedClasses linked = LinkedClasses.of(code, LibraryLinks.read());
         Memory memory = new Memory(code, library, entry, linked);
         SliceTime slice = new SliceTime(code, library, entry);
-        boolean isWatched = !new Monitors(code, library).classes().isEmpty();
+        boolean isWatched = !new RobotMonitors(code, library).classes().isEmpty();
         return new Needs(
                 linked.number(),
                 linked.isExact(),

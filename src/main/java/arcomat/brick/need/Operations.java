@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.Unknown;
+
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
@@ -38,11 +41,11 @@ final class Operations extends BasicInterpreter {
     @Override
     public BasicValue newOperation(AbstractInsnNode instruction) throws AnalyzerException {
         if (instruction.getOpcode() == Opcodes.ACONST_NULL) {
-            return Known.NULL;
+            return KnownValue.NULL;
         }
         OptionalInt pushed = Constants.pushed(instruction);
         return pushed.isPresent()
-                ? Known.number(pushed.getAsInt())
+                ? KnownValue.number(pushed.getAsInt())
                 : super.newOperation(instruction);
     }
 
@@ -52,16 +55,16 @@ final class Operations extends BasicInterpreter {
         if (instruction.getOpcode() == Opcodes.CHECKCAST) {
             return value;
         }
-        if (!(value instanceof Known known)) {
+        if (!(value instanceof KnownValue known)) {
             return super.unaryOperation(instruction, value);
         }
         int number = known.number();
         return switch (instruction.getOpcode()) {
-            case Opcodes.INEG -> Known.number(-number);
-            case Opcodes.IINC -> Known.number(number + ((IincInsnNode) instruction).incr);
-            case Opcodes.I2B -> Known.number((byte) number);
-            case Opcodes.I2C -> Known.number((char) number);
-            case Opcodes.I2S -> Known.number((short) number);
+            case Opcodes.INEG -> KnownValue.number(-number);
+            case Opcodes.IINC -> KnownValue.number(number + ((IincInsnNode) instruction).incr);
+            case Opcodes.I2B -> KnownValue.number((byte) number);
+            case Opcodes.I2C -> KnownValue.number((char) number);
+            case Opcodes.I2S -> KnownValue.number((short) number);
             default -> super.unaryOperation(instruction, value);
         };
     }
@@ -69,18 +72,18 @@ final class Operations extends BasicInterpreter {
     @Override
     public BasicValue binaryOperation(AbstractInsnNode instruction, BasicValue a, BasicValue b)
             throws AnalyzerException {
-        if (!(a instanceof Known left) || !(b instanceof Known right)) {
+        if (!(a instanceof KnownValue left) || !(b instanceof KnownValue right)) {
             return super.binaryOperation(instruction, a, b);
         }
         int x = left.number();
         int y = right.number();
         return switch (instruction.getOpcode()) {
-            case Opcodes.IADD -> Known.number(x + y);
-            case Opcodes.ISUB -> Known.number(x - y);
-            case Opcodes.IMUL -> Known.number(x * y);
-            case Opcodes.IAND -> Known.number(x & y);
-            case Opcodes.IOR -> Known.number(x | y);
-            case Opcodes.IXOR -> Known.number(x ^ y);
+            case Opcodes.IADD -> KnownValue.number(x + y);
+            case Opcodes.ISUB -> KnownValue.number(x - y);
+            case Opcodes.IMUL -> KnownValue.number(x * y);
+            case Opcodes.IAND -> KnownValue.number(x & y);
+            case Opcodes.IOR -> KnownValue.number(x | y);
+            case Opcodes.IXOR -> KnownValue.number(x ^ y);
             default -> super.binaryOperation(instruction, a, b);
         };
     }
@@ -91,7 +94,7 @@ final class Operations extends BasicInterpreter {
      * @param first the same as the second, where only one value is looked at
      */
     static Optional<Boolean> isTaken(int opcode, BasicValue first, BasicValue second) {
-        return first instanceof Known a && second instanceof Known b
+        return first instanceof KnownValue a && second instanceof KnownValue b
                 ? Optional.of(isTaken(opcode, a.number(), b.number()))
                 : Optional.empty();
     }
@@ -104,8 +107,8 @@ final class Operations extends BasicInterpreter {
             case Opcodes.IFGE -> y >= 0;
             case Opcodes.IFGT -> y > 0;
             case Opcodes.IFLE -> y <= 0;
-            case Opcodes.IFNULL -> y == Known.NULL.number();
-            case Opcodes.IFNONNULL -> y != Known.NULL.number();
+            case Opcodes.IFNULL -> y == KnownValue.NULL.number();
+            case Opcodes.IFNONNULL -> y != KnownValue.NULL.number();
             case Opcodes.IF_ICMPEQ, Opcodes.IF_ACMPEQ -> x == y;
             case Opcodes.IF_ICMPNE, Opcodes.IF_ACMPNE -> x != y;
             case Opcodes.IF_ICMPLT -> x < y;

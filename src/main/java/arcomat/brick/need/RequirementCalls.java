@@ -1,5 +1,7 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 

@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
+
 import org.objectweb.asm.tree.analysis.BasicValue;
 
 import java.util.ArrayDeque;
@@ -17,7 +20,7 @@ final class SliceSearch {
     /** In instructions; beyond, nothing is said. */
     private static final long PATIENCE = 200_000;
 
-    static final Known ROBOT = Known.object(0);
+    static final KnownValue ROBOT = KnownValue.object(0);
 
     private final Code code;
     private final LibraryCost library;
@@ -37,13 +40,13 @@ final class SliceSearch {
      * @throws Unknown if there are too many slices to look at
      */
     long heaviest(MethodWeights weights) {
-        Walk walk = new Walk(code, weights, false, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, weights, false, PATIENCE);
         Set<Store> seen = started();
         Deque<Store> open = new ArrayDeque<>(seen);
         long heaviest = 0;
         while (!open.isEmpty()) {
-            Map<Walk.End, Long> ends = called(walk, "slice", open.remove());
-            for (Map.Entry<Walk.End, Long> each : ends.entrySet()) {
+            Map<StoreWalk.End, Long> ends = called(walk, "slice", open.remove());
+            for (Map.Entry<StoreWalk.End, Long> each : ends.entrySet()) {
                 heaviest = Math.max(heaviest, each.getValue());
                 if (seen.add(each.getKey().store())) {
                     open.add(each.getKey().store());
@@ -55,15 +58,15 @@ final class SliceSearch {
 
     /** What the robot's objects may hold before its first slice. */
     Set<Store> started() {
-        Walk walk = new Walk(code, MethodWeights.none(code, library), true, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, MethodWeights.none(code, library), true, PATIENCE);
         Set<Store> started = new HashSet<>();
-        for (Walk.End made : called(walk, "<init>", walk.made(robot, Store.EMPTY)).keySet()) {
+        for (StoreWalk.End made : called(walk, "<init>", walk.made(robot, Store.EMPTY)).keySet()) {
             called(walk, "start", made.store()).keySet().forEach(end -> started.add(end.store()));
         }
         return started;
     }
 
-    private Map<Walk.End, Long> called(Walk walk, String name, Store store) {
+    private Map<StoreWalk.End, Long> called(StoreWalk walk, String name, Store store) {
         MethodName method =
                 code.declaration(new MethodName(robot, name, "()V"))
                         .filter(declared -> code.method(declared).isPresent())

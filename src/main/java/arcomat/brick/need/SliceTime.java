@@ -1,6 +1,8 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickCost;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -64,13 +66,15 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
                         "java/lang/System",
                         "arraycopy",
                         "(Ljava/lang/Object;ILjava/lang/Object;II)V");
-        return new Monitors(code, library).growths(entry.main()) * library.time(copy);
+        return new RobotMonitors(code, library).growths(entry.main()) * library.time(copy);
     }
 
     /** What one of the monitors shows in each slice, after a violation or when it has given up. */
     private long shown(Times times) {
         MethodName row = new MethodName("arcomat/nxt/Row", "show", "(Ljava/lang/String;)V");
-        return new Monitors(code, library).show() ? ROWS * (times.of(row) + REGULATION * ROW) : 0;
+        return new RobotMonitors(code, library).show()
+                ? ROWS * (times.of(row) + REGULATION * ROW)
+                : 0;
     }
 
     private static boolean isSlice(AbstractInsnNode each) {

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
  * @param objects their classes
  * @param fields those whose value is known
  */
-record Store(List<String> objects, Map<Field, Known> fields) {
+record Store(List<String> objects, Map<Field, KnownValue> fields) {
     /**
      * A field of an object.
      *
@@ -33,10 +33,10 @@ record Store(List<String> objects, Map<Field, Known> fields) {
     }
 
     /** A further object, which has the last number. */
-    Store made(String type, Map<String, Known> values) {
+    Store made(String type, Map<String, KnownValue> values) {
         List<String> more = new ArrayList<>(objects);
         more.add(type);
-        Map<Field, Known> all = new HashMap<>(fields);
+        Map<Field, KnownValue> all = new HashMap<>(fields);
         values.forEach((name, value) -> all.put(new Field(objects.size(), name), value));
         return new Store(more, all);
     }
@@ -45,8 +45,8 @@ record Store(List<String> objects, Map<Field, Known> fields) {
         if (value.equals(fields.get(field))) {
             return this;
         }
-        Map<Field, Known> others = new HashMap<>(fields);
-        if (value instanceof Known known) {
+        Map<Field, KnownValue> others = new HashMap<>(fields);
+        if (value instanceof KnownValue known) {
             others.put(field, known);
         } else {
             others.remove(field);
@@ -66,7 +66,7 @@ record Store(List<String> objects, Map<Field, Known> fields) {
         return only(each -> each.getValue().isObject());
     }
 
-    private Store only(Predicate<Map.Entry<Field, Known>> kept) {
+    private Store only(Predicate<Map.Entry<Field, KnownValue>> kept) {
         return new Store(
                 objects,
                 fields.entrySet().stream()

@@ -22,14 +22,14 @@ import java.util.stream.IntStream;
 
 /** The ways through one call of a method. */
 final class Ways {
-    private final Walk walk;
-    private final Walk.Body body;
+    private final StoreWalk walk;
+    private final StoreWalk.Body body;
     private final Map<Place, Long> heaviest = new HashMap<>();
     private final PriorityQueue<Place> open =
             new PriorityQueue<>((one, other) -> Integer.compare(one.position(), other.position()));
-    private final Map<Walk.End, Long> ends = new HashMap<>();
+    private final Map<StoreWalk.End, Long> ends = new HashMap<>();
 
-    Ways(Walk walk, Walk.Body body) {
+    Ways(StoreWalk walk, StoreWalk.Body body) {
         this.walk = walk;
         this.body = body;
     }
@@ -64,7 +64,7 @@ final class Ways {
         }
     }
 
-    Map<Walk.End, Long> from(List<? extends BasicValue> arguments, Store store) {
+    Map<StoreWalk.End, Long> from(List<? extends BasicValue> arguments, Store store) {
         Frame<BasicValue> frame = frame();
         for (int i = 0; i < frame.getLocals(); i++) {
             frame.setLocal(i, BasicValue.UNINITIALIZED_VALUE);
@@ -146,7 +146,7 @@ final class Ways {
             return accessed(access, way);
         } else if (each.getOpcode() == Opcodes.NEW && walk.keepsObjects()) {
             Store with = walk.made(((TypeInsnNode) each).desc, way.store());
-            way.frame().push(Known.object(way.store().objects().size()));
+            way.frame().push(KnownValue.object(way.store().objects().size()));
             return List.of(way.then(with));
         } else if (body.graph().after(way.position()).isEmpty()) {
             ends(each, way);
@@ -160,7 +160,7 @@ final class Ways {
     /** A return; what throws has no way to go on, either. */
     private void ends(AbstractInsnNode last, Way way) {
         BasicValue result = last.getOpcode() == Opcodes.RETURN ? null : way.pop();
-        ends.merge(new Walk.End(result, way.store()), way.weight(), Math::max);
+        ends.merge(new StoreWalk.End(result, way.store()), way.weight(), Math::max);
     }
 
     private List<Way> jumped(JumpInsnNode jump, Way way) {
@@ -180,7 +180,7 @@ final class Ways {
 
     private List<Way> chosen(
             List<Integer> keys, List<LabelNode> labels, LabelNode otherwise, Way way) {
-        if (way.pop() instanceof Known known) {
+        if (way.pop() instanceof KnownValue known) {
             int key = keys.indexOf(known.number());
             return List.of(way.at(body.graph().position(key < 0 ? otherwise : labels.get(key))));
         }
@@ -195,7 +195,7 @@ final class Ways {
         boolean writes = access.getOpcode() == Opcodes.PUTFIELD;
         BasicValue value = writes ? way.pop() : null;
         BasicValue object = way.pop();
-        if (object.equals(Known.NULL)) {
+        if (object.equals(KnownValue.NULL)) {
             return List.of();
         } else if (writes) {
             return List.of(way.then(walk.write(access, object, value, way.store())));
@@ -208,7 +208,7 @@ final class Ways {
         boolean isStatic = call.getOpcode() == Opcodes.INVOKESTATIC;
         int count = Type.getArgumentTypes(call.desc).length + (isStatic ? 0 : 1);
         List<BasicValue> arguments = way.pop(count);
-        if (!isStatic && arguments.get(0).equals(Known.NULL)) {
+        if (!isStatic && arguments.get(0).equals(KnownValue.NULL)) {
             return List.of();
         }
         List<Way> ways = new ArrayList<>();
@@ -217,7 +217,7 @@ final class Ways {
         return ways;
     }
 
-    private static Way after(Walk.End end, Way way, long weight) {
+    private static Way after(StoreWalk.End end, Way way, long weight) {
         Frame<BasicValue> frame = new Frame<>(way.frame());
         if (end.result() != null) {
             frame.push(end.result());

@@ -1,6 +1,9 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickCost;
+import arcomat.brick.need.flow.FlowGraph;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
@@ -24,10 +27,10 @@ import java.util.Set;
  * is known, and otherwise both. What is not looked into weighs what {@link MethodWeights} says, and
  * writes whatever it may write.
  */
-class Walk {
+class StoreWalk {
     private final Code code;
     private final MethodWeights weights;
-    private final Effects effects;
+    private final FieldWrites effects;
 
     /** What others write at any time. */
     private final Set<String> shared;
@@ -41,10 +44,10 @@ class Walk {
      * @param keepsObjects whether it is known which object is which of those that are made
      * @param patience how many instructions are looked at
      */
-    Walk(Code code, MethodWeights weights, boolean keepsObjects, long patience) {
+    StoreWalk(Code code, MethodWeights weights, boolean keepsObjects, long patience) {
         this.code = code;
         this.weights = weights;
-        this.effects = new Effects(code);
+        this.effects = new FieldWrites(code);
         this.shared = effects.ofCallbacks();
         this.keepsObjects = keepsObjects;
         this.patience = patience;
@@ -127,7 +130,7 @@ class Walk {
         if (call.getOpcode() == Opcodes.INVOKESTATIC || call.getOpcode() == Opcodes.INVOKESPECIAL) {
             return code.declaration(named);
         }
-        return arguments.get(0) instanceof Known known
+        return arguments.get(0) instanceof KnownValue known
                 ? code.declaration(named.in(store.objects().get(known.number())))
                 : Optional.empty();
     }
@@ -142,12 +145,12 @@ class Walk {
 
     /** With a new object of a class, whose fields hold nothing yet. */
     Store made(String type, Store store) {
-        Map<String, Known> fields = new HashMap<>();
+        Map<String, KnownValue> fields = new HashMap<>();
         for (String each : code.withSupertypes(type)) {
             for (FieldNode field : code.type(each).map(node -> node.fields).orElse(List.of())) {
-                String name = Effects.name(each, field.name);
+                String name = FieldWrites.name(each, field.name);
                 if (!shared.contains(name)) {
-                    Known.nothing(field.desc).ifPresent(nothing -> fields.put(name, nothing));
+                    KnownValue.nothing(field.desc).ifPresent(nothing -> fields.put(name, nothing));
                 }
             }
         }
@@ -155,8 +158,8 @@ class Walk {
     }
 
     BasicValue read(FieldInsnNode access, BasicValue object, Store store) {
-        Known held = null;
-        if (object instanceof Known known) {
+        KnownValue held = null;
+        if (object instanceof KnownValue known) {
             held = store.fields().get(new Store.Field(known.number(), effects.name(access)));
         }
         return held != null ? held : Operations.unknown(Type.getType(access.desc));
@@ -168,7 +171,7 @@ class Walk {
         if (shared.contains(name)) {
             return store;
         }
-        return object instanceof Known known
+        return object instanceof KnownValue known
                 ? store.with(new Store.Field(known.number(), name), value)
                 : store.without(Set.of(name));
     }

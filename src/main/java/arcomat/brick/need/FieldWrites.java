@@ -1,5 +1,7 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.FieldInsnNode;
@@ -15,11 +17,11 @@ import java.util.Map;
 import java.util.Set;
 
 /** Which fields of objects methods may write, with all that they call. */
-final class Effects {
+final class FieldWrites {
     private final Code code;
     private final Map<MethodName, Set<String>> known = new HashMap<>();
 
-    Effects(Code code) {
+    FieldWrites(Code code) {
         this.code = code;
     }
 

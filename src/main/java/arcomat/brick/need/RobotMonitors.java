@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
+
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.FieldInsnNode;
@@ -11,7 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** The monitors of a robot that watches itself. */
-record Monitors(Code code, LibraryCost library) {
+record RobotMonitors(Code code, LibraryCost library) {
     private static final String MONITOR = "arcomat/rt/Monitor";
     private static final String WATCHED_ROBOT = "arcomat/nxt/WatchedRobot";
     private static final String GO_ON = "goOn";

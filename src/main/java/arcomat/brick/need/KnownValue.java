@@ -9,32 +9,32 @@ import java.util.Optional;
  * A value that is the same on all ways to a place: a whole number, or an object that was made
  * before the first slice. What is not known is a plain {@link BasicValue}.
  */
-final class Known extends BasicValue {
+final class KnownValue extends BasicValue {
     /** No object. */
-    static final Known NULL = object(-1);
+    static final KnownValue NULL = object(-1);
 
     private static final String OBJECT = "object ";
 
     private final int number;
 
-    private Known(String name, int number) {
+    private KnownValue(String name, int number) {
         super(Type.getObjectType(name + number)); // by which values are told apart
         this.number = number;
     }
 
-    static Known number(int number) {
-        return new Known("number ", number);
+    static KnownValue number(int number) {
+        return new KnownValue("number ", number);
     }
 
     /**
      * @param number its place among all objects, from 0
      */
-    static Known object(int number) {
-        return new Known(OBJECT, number);
+    static KnownValue object(int number) {
+        return new KnownValue(OBJECT, number);
     }
 
     /** What a field holds of which nothing was written, where that can be known. */
-    static Optional<Known> nothing(String descriptor) {
+    static Optional<KnownValue> nothing(String descriptor) {
         return switch (descriptor.charAt(0)) {
             case 'J', 'F', 'D' -> Optional.empty();
             case 'L', '[' -> Optional.of(NULL);
