@@ -22,6 +22,7 @@ import java.util.Set;
 abstract class MethodWeights {
     protected final Code code;
     protected final LibraryCost library;
+    private static final Optional<String> TEXT = Optional.of(MonitorSize.TEXT);
     private final Map<String, Long> sizes;
     private final RobotMonitors monitors;
     private final Map<String, MethodWeights> ofMonitors = new HashMap<>();
@@ -113,13 +114,19 @@ abstract class MethodWeights {
 
     private long ofBody(MethodName method, MethodNode body) {
         FlowGraph graph = new FlowGraph(body);
-        return HeaviestPath.of(graph, useful(graph), rounds(method), this::of);
+        try {
+            return HeaviestPath.of(graph, useful(graph), rounds(method), this::of);
+        } catch (Unknown e) {
+            throw library.rounds(method).equals(TEXT)
+                    ? Unknown.of(method, "takes the longer, the longer a text is that is watched")
+                    : e;
+        }
     }
 
     private OptionalLong rounds(MethodName method) {
         return library.rounds(method).stream()
-                .filter(word -> sizes.containsKey(word) || Character.isDigit(word.charAt(0)))
-                .mapToLong(word -> sizes.containsKey(word) ? sizes.get(word) : Long.parseLong(word))
+                .filter(each -> sizes.containsKey(each) || Character.isDigit(each.charAt(0)))
+                .mapToLong(each -> sizes.containsKey(each) ? sizes.get(each) : Long.parseLong(each))
                 .findFirst();
     }
 

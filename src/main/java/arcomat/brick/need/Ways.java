@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.PriorityQueue;
 import java.util.stream.IntStream;
 
@@ -79,9 +80,13 @@ final class Ways {
         }
         while (!open.isEmpty()) {
             Place place = open.remove();
-            follow(new Way(place.position(), frame(place), place.store(), heaviest.get(place)));
+            follow(new Way(place.position(), frame(place), place.store(), weight(place)));
         }
         return ends;
+    }
+
+    private long weight(Place place) {
+        return Objects.requireNonNull(heaviest.get(place));
     }
 
     private Frame<BasicValue> frame() {
@@ -193,12 +198,12 @@ final class Ways {
 
     private List<Way> accessed(FieldInsnNode access, Way way) {
         boolean writes = access.getOpcode() == Opcodes.PUTFIELD;
-        BasicValue value = writes ? way.pop() : null;
-        BasicValue object = way.pop();
+        List<BasicValue> operands = way.pop(writes ? 2 : 1);
+        BasicValue object = operands.get(0);
         if (object.equals(KnownValue.NULL)) {
             return List.of();
         } else if (writes) {
-            return List.of(way.then(walk.write(access, object, value, way.store())));
+            return List.of(way.then(walk.write(access, object, operands.get(1), way.store())));
         }
         way.frame().push(walk.read(access, object, way.store()));
         return List.of(way.then(way.store()));

@@ -199,6 +199,20 @@ class WatchedRobotTest {
         assertThat(robot.report().fits()).isTrue();
     }
 
+    /** Who goes on says what text there was, which takes as long as the text is. */
+    @ParameterizedTest
+    @CsvSource({
+        "crier=p.Names#stops,",
+        "crier=p.Names#tells, 'arcomat.rt.Accusation.quoted takes the longer, the longer a text is"
+                + " that is watched'"
+    })
+    void textsThatAreToldHaveAnyLength(String monitor, String why) throws Exception {
+        Needs needs = robot("p.Herald", List.of(monitor), ROVER).report().needs();
+
+        assertThat(needs.slice().unknown()).isEqualTo(Optional.ofNullable(why));
+        assertThat(needs.memory().unknown()).isEmpty();
+    }
+
     @Test
     void toWatchAllocatesNothing() throws Exception {
         Program fetcher =
