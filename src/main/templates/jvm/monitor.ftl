@@ -10,6 +10,12 @@ ${indent}risk();
 ${indent}if (${way.condition}) {
 ${indent}    go(${way.cause}, ${way.target});
 <@different way indent + "    "/>
+<#if way.alone>
+<#if way.checked>
+${indent}    unlessWrong();
+</#if>
+${indent}    break;
+</#if>
 ${indent}}
 <#else>
 ${indent}go(${way.cause}, ${way.target});

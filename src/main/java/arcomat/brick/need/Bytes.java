@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 import arcomat.sim.memory.ObjectLayout;
 
 import org.objectweb.asm.Opcodes;
@@ -11,6 +14,7 @@ import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.MultiANewArrayInsnNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -31,7 +35,11 @@ final class Bytes extends MethodWeights {
      *     each time; what slices make is left out then
      */
     Bytes(Code code, LibraryCost library, boolean isWithTexts) {
-        super(code, library);
+        this(code, library, isWithTexts, Map.of());
+    }
+
+    private Bytes(Code code, LibraryCost library, boolean isWithTexts, Map<String, Long> sizes) {
+        super(code, library, sizes);
         this.isWithTexts = isWithTexts;
         this.stacks = new Stacks(code);
     }
@@ -67,8 +75,15 @@ final class Bytes extends MethodWeights {
     }
 
     @Override
+    protected MethodWeights ofMonitor(Code alone, Map<String, Long> ofIts) {
+        return new Bytes(alone, library, isWithTexts, ofIts);
+    }
+
+    @Override
     protected boolean isLookedInto(MethodName method) {
-        return !isValues(method) && !(isWithTexts && method.equals(Entry.SLICES));
+        return !isValues(method)
+                && !library.isApart(method)
+                && !(isWithTexts && method.equals(Entry.SLICES));
     }
 
     /** An enum copies its constants for whoever asks; methods of leJOS keep nothing. */

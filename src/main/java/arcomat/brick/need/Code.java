@@ -2,6 +2,7 @@ package arcomat.brick.need;
 
 import arcomat.brick.api.BrickTable;
 import arcomat.brick.api.BrickType;
+import arcomat.brick.need.flow.MethodName;
 
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
@@ -39,6 +40,13 @@ final class Code {
                 subtypes.computeIfAbsent(supertype, s -> new ArrayList<>()).add(each.name);
             }
         }
+    }
+
+    /** The same without some classes. */
+    Code without(Collection<String> names) {
+        return new Code(
+                classes.values().stream().filter(each -> !names.contains(each.name)).toList(),
+                table);
     }
 
     /** All methods of the program itself. */

@@ -1,5 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -8,6 +11,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 
@@ -23,7 +27,10 @@ final class LibraryCost {
     private final Map<String, Long> calls = new HashMap<>();
     private final Map<String, Long> idle = new HashMap<>();
     private final Set<String> waits = new HashSet<>();
-    private final Map<String, Long> loops = new HashMap<>();
+    private final Map<String, String> loops = new HashMap<>();
+    private final Set<String> apart = new HashSet<>();
+    private final Set<String> ends = new HashSet<>();
+    private final Set<String> ofObjects = new HashSet<>();
 
     private LibraryCost() {}
 
@@ -47,7 +54,13 @@ final class LibraryCost {
             case "call" -> calls.put(words[1], Long.parseLong(words[2]));
             case "idle" -> idle.put(words[1], Long.parseLong(words[2]));
             case "waits" -> waits.add(words[1]);
-            case "loops" -> loops.put(words[1], Long.parseLong(words[2]));
+            case "loops" -> loops.put(words[1], words[2]);
+            case "ends" -> ends.add(words[1]);
+            case "objects" -> ofObjects.add(words[1]);
+            case "apart" -> {
+                apart.add(words[1]);
+                calls.put(words[1], Long.parseLong(words[2]));
+            }
             case DEFAULT ->
                     (words[1].equals("new") ? objects : calls)
                             .put(DEFAULT, Long.parseLong(words[2]));
@@ -64,19 +77,37 @@ final class LibraryCost {
         return Objects.requireNonNull(objects.getOrDefault(type, objects.get(DEFAULT)));
     }
 
-    /** How often a loop of the runtime goes round at most, where its code does not show it. */
-    OptionalLong rounds(MethodName method) {
+    /**
+     * How often a loop of the runtime goes round at most, where its code does not show it: a
+     * number, or one of the words for sizes.
+     */
+    Optional<String> rounds(MethodName method) {
         return find(loops, method);
+    }
+
+    /** Whether a method of the runtime is counted apart: it does something only now and then. */
+    boolean isApart(MethodName method) {
+        return apart.contains(method.owner() + "." + method.name());
+    }
+
+    /** Whether a method of the runtime is counted apart with all ways that lead to it. */
+    boolean isEnd(MethodName method) {
+        return ends.contains(method.owner() + "." + method.name());
+    }
+
+    /** Whether monitors call a method of the runtime only for texts and objects. */
+    boolean isOfObjects(MethodName method) {
+        return ofObjects.contains(method.owner() + "." + method.name() + method.descriptor());
     }
 
     /** What is known of a method besides its code: microseconds. */
     OptionalLong measured(MethodName method) {
-        return find(calls, method);
+        return number(find(calls, method));
     }
 
     /** For how much of that time a method leaves the processor to others, in microseconds. */
     long idle(MethodName method) {
-        return find(idle, method).orElse(0);
+        return number(find(idle, method)).orElse(0);
     }
 
     /** How long a method of leJOS takes, in microseconds. */
@@ -110,9 +141,13 @@ final class LibraryCost {
         return false;
     }
 
-    private static OptionalLong find(Map<String, Long> values, MethodName method) {
+    private static <V> Optional<V> find(Map<String, V> values, MethodName method) {
         String name = method.owner() + "." + method.name();
-        Long value = values.getOrDefault(name + method.descriptor(), values.get(name));
-        return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+        V precise = values.get(name + method.descriptor());
+        return Optional.ofNullable(precise != null ? precise : values.get(name));
+    }
+
+    private static OptionalLong number(Optional<Long> value) {
+        return value.map(OptionalLong::of).orElse(OptionalLong.empty());
     }
 }

@@ -1,6 +1,7 @@
 package arcomat.brick.need;
 
 import arcomat.brick.need.LinkedTypes.Method;
+import arcomat.brick.need.flow.MethodName;
 
 import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Type;

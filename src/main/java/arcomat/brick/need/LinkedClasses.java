@@ -1,5 +1,7 @@
 package arcomat.brick.need;
 
+import arcomat.brick.need.flow.MethodName;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;

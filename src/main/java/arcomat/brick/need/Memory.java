@@ -1,6 +1,8 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickType;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
@@ -34,6 +36,7 @@ record Memory(Code code, LibraryCost library, Entry entry, LinkedClasses linked)
                 + bytes.of(main)
                 + bytes.stack(main)
                 + listeners()
+                + new RobotMonitors(code, library).bytes(main)
                 + (entry.isRobot() ? ofSlice() : 0);
     }
 

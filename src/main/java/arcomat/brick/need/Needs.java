@@ -1,7 +1,9 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.need.flow.Unknown;
 
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.tree.ClassNode;
 
 import java.util.Collection;
@@ -37,11 +39,12 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
         LinkedClasses linked = LinkedClasses.of(code, LibraryLinks.read());
         Memory memory = new Memory(code, library, entry, linked);
         SliceTime slice = new SliceTime(code, library, entry);
+        boolean isWatched = !new RobotMonitors(code, library).classes().isEmpty();
         return new Needs(
                 linked.number(),
                 linked.isExact(),
-                Need.of(memory::bytes),
-                Need.of(slice::worst),
+                Need.of(isWatched, memory::bytes),
+                Need.of(isWatched || slice.isDrivenByEvents(), slice::worst),
                 entry.cycle());
     }
 
@@ -49,22 +52,27 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
      * How much of something a program needs, if that can be told from its code.
      *
      * @param amount none if it is not known
+     * @param isBound whether it is never more, and may well be much less; about as much otherwise
      * @param unknown why it is not known: part of a sentence
      */
-    public record Need(OptionalLong amount, Optional<String> unknown) {
-        static Need of(LongSupplier amount) {
+    public record Need(OptionalLong amount, boolean isBound, Optional<String> unknown) {
+        static Need of(boolean isBound, LongSupplier amount) {
             try {
-                return new Need(OptionalLong.of(amount.getAsLong()), Optional.empty());
+                return new Need(OptionalLong.of(amount.getAsLong()), isBound, Optional.empty());
             } catch (Unknown e) {
-                return new Need(OptionalLong.empty(), Optional.ofNullable(e.getMessage()));
+                return unknown(e.getMessage());
             } catch (ArithmeticException e) {
-                return new Need(OptionalLong.empty(), Optional.of("it is beyond all numbers"));
+                return unknown("it is beyond all numbers");
             }
         }
 
-        /** Whether it is known to be more than this. */
+        private static Need unknown(@Nullable String why) {
+            return new Need(OptionalLong.empty(), false, Optional.ofNullable(why));
+        }
+
+        /** Whether it has to be taken for more than this. */
         public boolean isAbove(double limit) {
-            return amount.isPresent() && amount.getAsLong() > limit;
+            return amount.isPresent() && !isBound && amount.getAsLong() > limit;
         }
     }
 }

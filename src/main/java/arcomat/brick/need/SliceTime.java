@@ -1,6 +1,8 @@
 package arcomat.brick.need;
 
 import arcomat.brick.api.BrickCost;
+import arcomat.brick.need.flow.MethodName;
+import arcomat.brick.need.flow.Unknown;
 
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -8,9 +10,10 @@ import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.FieldInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
-import org.objectweb.asm.tree.TypeInsnNode;
 
 import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -26,6 +29,11 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
     private static final String THREAD = "java/lang/Thread";
     private static final String MOTOR = "lejos/nxt/Motor";
     private static final int MOTORS = 3;
+
+    /** How many rows a robot shows that watches itself, and what it takes to come to each. */
+    private static final int ROWS = 3;
+
+    private static final int ROW = 50;
 
     /** From one regulation to the next, in microseconds, and what it takes: counted in its body. */
     private static final long REGULATION = 4000;
@@ -43,12 +51,74 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
         refuseThreads();
         long motors = motors();
         long regulation = motors == 0 ? 0 : REGULATION_ITSELF + REGULATION_OF_A_MOTOR * motors;
-        Times times = new Times(code, library, regulation);
-        long parts = 0;
+        Times times = new Times(code, library, regulation, Map.of());
+        long parts = REGULATION * growth() + shown(times);
         for (AbstractInsnNode each : slices.instructions) {
-            parts = Math.addExact(parts, times.of(each));
+            parts = Math.addExact(parts, isSlice(each) ? slice(each, times) : times.of(each));
         }
         return parts / (REGULATION - regulation);
+    }
+
+    /** The longest slice may be one in which monitors make all their arrays longer. */
+    private long growth() {
+        MethodName copy =
+                new MethodName(
+                        "java/lang/System",
+                        "arraycopy",
+                        "(Ljava/lang/Object;ILjava/lang/Object;II)V");
+        return new RobotMonitors(code, library).growths(entry.main()) * library.time(copy);
+    }
+
+    /** What one of the monitors shows in each slice, after a violation or when it has given up. */
+    private long shown(Times times) {
+        MethodName row = new MethodName("arcomat/nxt/Row", "show", "(Ljava/lang/String;)V");
+        return new RobotMonitors(code, library).show()
+                ? ROWS * (times.of(row) + REGULATION * ROW)
+                : 0;
+    }
+
+    private static boolean isSlice(AbstractInsnNode each) {
+        return each instanceof MethodInsnNode call
+                && call.name.equals("slice")
+                && call.desc.equals("()V");
+    }
+
+    /**
+     * Along the longest branches, or the longest ones that can come together if these are found.
+     */
+    private long slice(AbstractInsnNode call, Times times) {
+        Optional<String> robot = entry.robot();
+        if (robot.isPresent() && reaction(robot.get()).isPresent()) {
+            return events(robot.get(), times);
+        }
+        long branches = times.of(call);
+        if (robot.isEmpty()) {
+            return branches;
+        }
+        try {
+            long found = new SliceSearch(code, library, robot.get()).heaviest(times);
+            return Math.min(branches, times.own(call) + found);
+        } catch (Unknown e) {
+            return branches;
+        }
+    }
+
+    private long events(String robot, Times times) {
+        long heaviest = 0;
+        for (Store each : new SliceSearch(code, library, robot).started()) {
+            EventTime time = new EventTime(code, times, each);
+            heaviest = Math.max(heaviest, time.of(reaction(robot).orElseThrow()));
+        }
+        return heaviest;
+    }
+
+    private Optional<MethodInsnNode> reaction(String robot) {
+        return code.method(new MethodName(robot, "slice", "()V")).flatMap(EventTime::reaction);
+    }
+
+    /** Whether a slice lasts until no event waits. */
+    boolean isDrivenByEvents() {
+        return entry.isRobot() && entry.robot().flatMap(this::reaction).isPresent();
     }
 
     private void refuseThreads() {
@@ -91,9 +161,14 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
         /**
          * @param regulation in which the program does not compute, of {@link #REGULATION}
          */
-        Times(Code code, LibraryCost library, long regulation) {
-            super(code, library);
+        Times(Code code, LibraryCost library, long regulation, Map<String, Long> sizes) {
+            super(code, library, sizes);
             this.regulation = regulation;
+        }
+
+        @Override
+        protected MethodWeights ofMonitor(Code alone, Map<String, Long> ofIts) {
+            return new Times(alone, library, regulation, ofIts);
         }
 
         @Override
@@ -117,30 +192,6 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
             long idle = library.idle(method);
             long wait = idle == 0 ? 0 : idle + regulation;
             return (REGULATION - regulation) * wait + REGULATION * (library.time(method) - idle);
-        }
-    }
-
-    /** How many objects of a class methods make at most. */
-    private static final class Counts extends MethodWeights {
-        private final String type;
-
-        Counts(Code code, LibraryCost library, String type) {
-            super(code, library);
-            this.type = type;
-        }
-
-        @Override
-        protected long own(AbstractInsnNode instruction) {
-            return instruction instanceof TypeInsnNode made
-                            && made.getOpcode() == Opcodes.NEW
-                            && made.desc.equals(type)
-                    ? 1
-                    : 0;
-        }
-
-        @Override
-        protected long ofLibrary(MethodName method) {
-            return 0;
         }
     }
 }

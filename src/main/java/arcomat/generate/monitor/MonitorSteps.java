@@ -2,6 +2,7 @@ package arcomat.generate.monitor;
 
 import arcomat.generate.language.Places;
 import arcomat.generate.language.Text;
+import arcomat.generate.text.Exclusion;
 import arcomat.generate.text.ExpressionWriter;
 import arcomat.generate.text.FileContext;
 import arcomat.generate.text.Formula;
@@ -99,6 +100,7 @@ final class MonitorSteps {
                 label(initial.state()),
                 values,
                 promises(text, initial.sends()),
+                false,
                 false);
     }
 
@@ -119,15 +121,15 @@ final class MonitorSteps {
     }
 
     private MonitorSectionView section(String method, List<Automaton.Transition> transitions) {
-        Map<Integer, List<GoView>> bySource = new LinkedHashMap<>();
-        for (Automaton.Transition transition : transitions) {
-            bySource.computeIfAbsent(transition.source(), source -> new ArrayList<>())
-                    .add(transition(transition));
+        Map<Integer, List<Automaton.Transition>> bySource = new LinkedHashMap<>();
+        for (Automaton.Transition each : transitions) {
+            bySource.computeIfAbsent(each.source(), source -> new ArrayList<>()).add(each);
         }
         List<MonitorStateView> states = new ArrayList<>();
         bySource.forEach(
-                (source, ways) ->
-                        states.add(new MonitorStateView(label(source), stateName(source), ways)));
+                (source, own) ->
+                        states.add(
+                                new MonitorStateView(label(source), stateName(source), ways(own))));
         return new MonitorSectionView(method, unpacked(transitions), states);
     }
 
@@ -158,12 +160,38 @@ final class MonitorSteps {
                                 && r.variable().name().equals(variable.name()));
     }
 
+    private List<GoView> ways(List<Automaton.Transition> transitions) {
+        List<Formula> conditions = transitions.stream().map(this::condition).toList();
+        List<GoView> ways = new ArrayList<>();
+        for (Automaton.Transition each : transitions) {
+            Formula own = conditions.get(ways.size());
+            List<Formula> later = conditions.subList(ways.size() + 1, conditions.size());
+            ways.add(transition(each, own, excludesAll(own, later)));
+        }
+        return ways;
+    }
+
+    /** Whether none of some can hold as well, nor go wrong. */
+    private static boolean excludesAll(Formula own, List<Formula> others) {
+        return !others.isEmpty()
+                && others.stream().allMatch(o -> Exclusion.contradict(own, o.beforeFailing()));
+    }
+
+    private Formula condition(Automaton.Transition transition) {
+        return new FormulaBuilder(writer(transition)).of(enabledWhen(transition));
+    }
+
+    private Expression enabledWhen(Automaton.Transition transition) {
+        return guards.enabledWhen(automaton, transition);
+    }
+
+    private ExpressionWriter writer(Automaton.Transition transition) {
+        return context.expressions().careful().at(Fault.place(watched, automaton, transition));
+    }
+
     /** A transition is only tried: what goes wrong in it is noted. */
-    private GoView transition(Automaton.Transition transition) {
-        ExpressionWriter text =
-                context.expressions().careful().at(Fault.place(watched, automaton, transition));
-        Expression condition = guards.enabledWhen(automaton, transition);
-        Formula enabled = new FormulaBuilder(text).of(condition);
+    private GoView transition(Automaton.Transition transition, Formula enabled, boolean alone) {
+        ExpressionWriter text = writer(transition);
         RuntimeChecks checks = text.checks();
         return new GoView(
                 Places.quote(transition.span()),
@@ -172,9 +200,10 @@ final class MonitorSteps {
                 label(transition.target()),
                 values(text, transition.assignments()),
                 promises(text, transition.sends()),
-                RuntimeChecks.dividesAnywhere(condition)
+                RuntimeChecks.dividesAnywhere(enabledWhen(transition))
                         || checks.areNeeded(transition.sends())
-                        || checks.areNeededFor(transition.assignments()));
+                        || checks.areNeededFor(transition.assignments()),
+                alone);
     }
 
     private List<SetView> values(ExpressionWriter text, List<Assignment> assignments) {
@@ -270,6 +299,6 @@ final class MonitorSteps {
     private GoView completed(String target, List<PromiseView> promises) {
         String kind = automaton.completion().name().toLowerCase(Locale.ROOT);
         String cause = context.expressions().literal(kind);
-        return new GoView("", "", cause, target, List.of(), promises, false);
+        return new GoView("", "", cause, target, List.of(), promises, false, false);
     }
 }

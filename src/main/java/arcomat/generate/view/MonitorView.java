@@ -76,6 +76,7 @@ public record MonitorView(
      * @param values variables that are different afterwards
      * @param promises what is to be seen; nothing on outputs without one
      * @param checked whether it may go wrong
+     * @param alone whether none of those after it can be a way to go on as well
      */
     public record GoView(
             String comment,
@@ -84,7 +85,8 @@ public record MonitorView(
             String target,
             List<SetView> values,
             List<PromiseView> promises,
-            boolean checked) {}
+            boolean checked,
+            boolean alone) {}
 
     /** A variable, by position, that gets a value. */
     public record SetView(int variable, String value) {}

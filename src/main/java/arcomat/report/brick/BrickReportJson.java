@@ -33,10 +33,14 @@ public record BrickReportJson(
 
     record Classes(int number, boolean exact, int limit) {}
 
-    record Memory(Optional<Long> bytes, Optional<String> unknown, long limit) {}
+    record Memory(Optional<Long> bytes, boolean atMost, Optional<String> unknown, long limit) {}
 
     /** The limit is that of the longest slice, where slices take part in time at all. */
-    record Slice(Optional<Long> microseconds, Optional<String> unknown, Optional<Long> limit) {}
+    record Slice(
+            Optional<Long> microseconds,
+            boolean atMost,
+            Optional<String> unknown,
+            Optional<Long> limit) {}
 
     public static String render(BrickReport report) {
         Needs needs = report.needs();
@@ -48,9 +52,14 @@ public record BrickReportJson(
                         FindingsJson.Finding.all(report.findings()),
                         report.shares().stream().map(Share::of).toList(),
                         new Classes(needs.classes(), needs.isExact(), Needs.MOST_CLASSES),
-                        new Memory(amount(memory), memory.unknown(), BrickCost.HEAP_BYTES),
+                        new Memory(
+                                amount(memory),
+                                memory.isBound(),
+                                memory.unknown(),
+                                BrickCost.HEAP_BYTES),
                         new Slice(
                                 amount(slice),
+                                slice.isBound(),
                                 slice.unknown(),
                                 needs.cycle().stream()
                                         .mapToObj(cycle -> cycle * MILLISECOND)

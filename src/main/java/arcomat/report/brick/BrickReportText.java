@@ -73,7 +73,8 @@ public final class BrickReportText {
         return memory.amount().isPresent()
                 ? String.format(
                         Locale.ROOT,
-                        "about %.1f of %.1f kB",
+                        "%s %.1f of %.1f kB",
+                        about(memory),
                         memory.amount().getAsLong() / THOUSAND,
                         BrickCost.HEAP_BYTES / THOUSAND)
                 : unknown(memory);
@@ -86,7 +87,11 @@ public final class BrickReportText {
         }
         String limit = needs.cycle().isPresent() ? " of " + needs.cycle().getAsInt() : "";
         double milliseconds = slice.amount().getAsLong() / THOUSAND;
-        return String.format(Locale.ROOT, "about %.1f%s ms", milliseconds, limit);
+        return String.format(Locale.ROOT, "%s %.1f%s ms", about(slice), milliseconds, limit);
+    }
+
+    private static String about(Need need) {
+        return need.isBound() ? "at most" : "about";
     }
 
     private static String unknown(Need need) {

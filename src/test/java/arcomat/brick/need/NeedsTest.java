@@ -75,8 +75,12 @@ class NeedsTest {
         return needs.slice().amount().orElseThrow();
     }
 
+    /** A robot with a number of which nothing is known, since another thread may write it. */
     private static String robot(String slice, String... members) {
-        return "int n; protected void start() {} protected void slice() { "
+        return "int n; static class Ear implements lejos.nxt.ButtonListener { Bot bot; public void"
+                + " buttonPressed(lejos.nxt.Button key) { bot.n++; } public void"
+                + " buttonReleased(lejos.nxt.Button key) {} }"
+                + " protected void start() {} protected void slice() { "
                 + slice
                 + " } "
                 + String.join(" ", members);
@@ -105,14 +109,47 @@ class NeedsTest {
         String classes =
                 "static abstract class A { abstract void work(int n); } static class Short extends"
                     + " A { void work(int n) { n++; } } static class Longer extends Short { void"
-                    + " work(int n) { n = n * n * n * n * n * n + 3 * n; } } A a; A made(boolean"
-                    + " first) { return first ? new Short() : new Longer(); }";
-        String shorter = "((Short) null).work(n);";
-        long one = time("Longer l = null; l.work(n);", classes);
+                    + " work(int n) { n = n * n * n * n * n * n + 3 * n; } } static A a; A"
+                    + " made(boolean first) { return first ? new Short() : new Longer(); }";
+        String shorter = "((Short) a).work(n);";
+        long one = time("Longer l = (Longer) a; l.work(n);", classes);
 
         assertThat(time("a.work(n);", classes)).isGreaterThan(one - 8);
-        assertThat(time("Short s = null; s.work(n);", classes)).isEqualTo(one);
+        assertThat(time("Short s = (Short) a; s.work(n);", classes)).isEqualTo(one);
         assertThat(time(shorter, classes)).isGreaterThan(one - 8);
+    }
+
+    /** As far as the slices from the start on can be told; n is what nobody knows. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '#',
+            value = {
+                "if (n == 1) work(); if (n == 2) work(); # 2",
+                "m = n; if (m == 1) work(); if (m == 2) work(); # 2",
+                "if (m == 1) work(); else m = 1; if (m == 2) work(); # 1",
+                "if (m == 0) work(); if (k == 1) work(); m = 1; k = 1; # 1",
+                "if (m < 5) m++; if (m == 3) work(); if (m == 5) work(); # 1",
+                "m++; if (m == 3) work(); if (m == 5) work(); # 2",
+                "if (n > 0) m = 1; else m = 2; if (m == 1) work(); if (m == 2) work(); # 1",
+                "switch (m) { case 0: m = 7; break; case 7: work(); case 9: work(); } # 2",
+                "switch (m) { case 0: m = 7; work(); break; case 8: work(); work(); } # 1",
+                "one.turn(); if (one.on) work(); if (!one.on) work(); # 1",
+                "one.turn(); if (one.on) work(); if (other.on) work(); # 1",
+                "all[n].turn(); if (one.on) work(); if (other.on) work(); # 2",
+                "heard.turn(); if (heard.on) work(); if (one.on) work(); # 1",
+                "lamp().turn(); if (one.on) work(); if (other.on) work(); # 2",
+                "if (one == other) work(); if (one != null) work(); # 1"
+            })
+    void branchesThatNeverComeTogetherDoNotCountTogether(String slice, long works)
+            throws IOException {
+        String work = "static void work() { for (int i = 0; i < 100; i++) {} }";
+        String lamps =
+                "int m, k; static class Lamp { boolean on; void turn() { on = !on; } } Lamp lamp()"
+                    + " { return n > 0 ? one : other; } Lamp one = new Lamp(), other = new Lamp(),"
+                    + " heard = new Lamp(); Lamp[] all = {one, other};";
+        long one = time("work();", work);
+
+        assertThat(time(slice, work, lamps)).isBetween(works * one, works * one + one / 2);
     }
 
     @Test
@@ -155,7 +192,7 @@ class NeedsTest {
     /** Regulation takes its share of what computes; of a wait, only what runs at its end counts. */
     @Test
     void aWaitForABusIsHardlyLongerWhileMotorsTurn() throws IOException {
-        String sonar = "lejos.nxt.UltrasonicSensor sonar;";
+        String sonar = "static lejos.nxt.UltrasonicSensor sonar;";
         long wait = 4600;
         long computing = time("sonar.getDistance();", sonar) - wait;
         long turning =
@@ -279,10 +316,10 @@ class NeedsTest {
     @Test
     void aListenerHasAThreadWithAStack() throws IOException {
         String listener =
-                "static class Ear implements lejos.nxt.ButtonListener { public void"
+                "static class Ears implements lejos.nxt.ButtonListener { public void"
                         + " buttonPressed(lejos.nxt.Button key) { %s } public void"
                         + " buttonReleased(lejos.nxt.Button key) {} }";
-        long none = memory(needs(robot("", "static class Ear {}")));
+        long none = memory(needs(robot("", "static class Ears {}")));
         long idle = memory(needs(robot("", listener.formatted("")))) - none;
         long made = memory(needs(robot("", listener.formatted("new long[10].clone();")))) - none;
 

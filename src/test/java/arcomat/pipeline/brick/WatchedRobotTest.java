@@ -2,6 +2,7 @@ package arcomat.pipeline.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.brick.need.Needs;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Letter;
@@ -13,6 +14,7 @@ import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.pipeline.generate.GenerateCode;
+import arcomat.pipeline.generate.RobotBuilder;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
@@ -25,6 +27,7 @@ import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 import arcomat.simulate.watch.Watch;
 import arcomat.simulate.watch.Watching;
+import arcomat.source.SourceFile;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,7 @@ import java.util.stream.IntStream;
  */
 class WatchedRobotTest {
     private static final String ROVER = "src/test/resources/watched";
+    private static final Path SCRIPT = Path.of(ROVER, "rover.script");
     private static final List<String> FETCHER_KEEPS =
             List.of(
                     "coffee.fig3.AvoidCrash",
@@ -64,6 +68,11 @@ class WatchedRobotTest {
     @TempDir private Path folder;
 
     private Path built(String main, List<String> monitors, String models) throws WrongUse {
+        return folder.resolve("brick").resolve(robot(main, monitors, models).jar());
+    }
+
+    private RobotBuilder.BrickProgram robot(String main, List<String> monitors, String models)
+            throws WrongUse {
         String out = folder.resolve("brick").toString();
         GenerateCode task =
                 new GenerateCode("lejos", out, Optional.of(main), false, monitors, List.of(models));
@@ -71,7 +80,7 @@ class WatchedRobotTest {
         assertThat(answer.check().findings()).isEmpty();
         GenerateCode.Made result = answer.value().orElseThrow();
         assertThat(result.watches()).hasSizeGreaterThanOrEqualTo(monitors.size());
-        return folder.resolve("brick").resolve(result.robots().get(0).jar());
+        return result.robots().get(0);
     }
 
     private static RunJar.Run run(Path jar, String script) throws WrongUse {
@@ -150,6 +159,58 @@ class WatchedRobotTest {
         String trace = BrickTraceText.render(run.trace(), Style.PLAIN);
         assertThat(inSlices(Files.readString(Path.of("src/test/resources/robots/fetcher.txt"))))
                 .startsWith(inSlices(trace));
+    }
+
+    /**
+     * Of what is predicted for robots that watch themselves, nothing is below what happens on a
+     * simulated brick. It is at most so much, and no reason to refuse a robot.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "p.Stands, 5.6, 20",
+        "front.reflex=p.Retreats(90)#stops, 5.6, 20",
+        "front.reflex=p.Retreats(90)#tells, 7.2, 70",
+        "front.reflex=p.Guesses, 15, 12000",
+        "front.reflex=p.Guesses front.reflex=p.Retreats(90)#tells p.Stands, 20, 12000"
+    })
+    void needsNoMoreThanIsPredicted(String monitors, double kilobytes, double milliseconds)
+            throws Exception {
+        RobotBuilder.BrickProgram robot = robot("p.Rover", List.of(monitors.split(" ")), ROVER);
+        Needs needs = robot.report().needs();
+        Needs without = robot("p.Rover", List.of(), ROVER).report().needs();
+        SliceObserver slices = new SliceObserver();
+        try (Laboratory laboratory = new Laboratory()) {
+            Path jar = built("p.Rover", List.of(monitors.split(" ")), ROVER);
+            SimulatedBrick brick = laboratory.place("rover", Program.read(jar));
+            brick.observe(slices);
+            SourceFile script = new SourceFile("rover", Files.readString(SCRIPT));
+            brick.play(ScriptText.read(script).script().orElseThrow());
+            laboratory.runToEnd(3000);
+        }
+
+        assertThat(needs.memory().isBound()).isTrue();
+        assertThat(needs.memory().amount().orElseThrow())
+                .isGreaterThan(without.memory().amount().orElseThrow())
+                .isLessThan((long) (kilobytes * 1000));
+        assertThat(needs.slice().isBound()).isTrue();
+        assertThat(needs.slice().amount().orElseThrow())
+                .isGreaterThan(slices.longest())
+                .isLessThan((long) (milliseconds * 1000));
+        assertThat(robot.report().fits()).isTrue();
+    }
+
+    /** Who goes on says what text there was, which takes as long as the text is. */
+    @ParameterizedTest
+    @CsvSource({
+        "crier=p.Names#stops,",
+        "crier=p.Names#tells, 'arcomat.rt.Accusation.quoted takes the longer, the longer a text is"
+                + " that is watched'"
+    })
+    void textsThatAreToldHaveAnyLength(String monitor, String why) throws Exception {
+        Needs needs = robot("p.Herald", List.of(monitor), ROVER).report().needs();
+
+        assertThat(needs.slice().unknown()).isEqualTo(Optional.ofNullable(why));
+        assertThat(needs.memory().unknown()).isEmpty();
     }
 
     @Test

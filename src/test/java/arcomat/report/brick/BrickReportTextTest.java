@@ -22,8 +22,8 @@ class BrickReportTextTest {
                 new Needs(
                         123,
                         true,
-                        new Need(OptionalLong.of(4321), Optional.empty()),
-                        new Need(OptionalLong.of(9876), Optional.empty()),
+                        new Need(OptionalLong.of(4321), false, Optional.empty()),
+                        new Need(OptionalLong.of(9876), false, Optional.empty()),
                         OptionalInt.of(50));
         BrickReport report =
                 new BrickReport(
@@ -49,7 +49,7 @@ class BrickReportTextTest {
 
     @Test
     void whatIsNotKnownIsSaidToBeSo() {
-        Need unknown = new Need(OptionalLong.empty(), Optional.of("a.B may wait"));
+        Need unknown = new Need(OptionalLong.empty(), false, Optional.of("a.B may wait"));
         Needs needs = new Needs(150, false, unknown, unknown, OptionalInt.empty());
 
         assertThat(BrickReportText.render(report(needs), Style.PLAIN))
@@ -62,9 +62,23 @@ class BrickReportTextTest {
     }
 
     @Test
+    void whatMayWellBeLessIsSaidToBeSo() {
+        Need bound = new Need(OptionalLong.of(98765), true, Optional.empty());
+        Needs needs = new Needs(150, true, bound, bound, OptionalInt.of(50));
+
+        assertThat(BrickReportText.render(report(needs), Style.PLAIN))
+                .endsWith(
+                        """
+                        memory: at most 98.8 of 49.0 kB
+                        longest slice: at most 98.8 of 50 ms
+                        """);
+        assertThat(bound.isAbove(50_000)).isFalse();
+    }
+
+    @Test
     void programsReadThemInJson() {
-        Need unknown = new Need(OptionalLong.empty(), Optional.of("a.B may wait"));
-        Need known = new Need(OptionalLong.of(9876), Optional.empty());
+        Need unknown = new Need(OptionalLong.empty(), false, Optional.of("a.B may wait"));
+        Need known = new Need(OptionalLong.of(9876), true, Optional.empty());
         Needs needs = new Needs(150, false, unknown, known, OptionalInt.of(50));
 
         assertThat(BrickReportJson.render(report(needs)))
@@ -80,11 +94,13 @@ class BrickReportTextTest {
                             "limit" : 256
                           },
                           "memory" : {
+                            "atMost" : false,
                             "unknown" : "a.B may wait",
                             "limit" : 49000
                           },
                           "slice" : {
                             "microseconds" : 9876,
+                            "atMost" : true,
                             "limit" : 50000
                           }
                         }

@@ -65,7 +65,13 @@ public abstract class WatchedRobot extends Robot {
     }
 
     private void show(Monitor monitor) {
-        for (int row = 0; shown == monitor && row < ROWS; row++) {
+        if (shown == monitor) {
+            showRows();
+        }
+    }
+
+    private void showRows() {
+        for (int row = 0; row < ROWS; row++) {
             rows[row].show(texts[row]);
         }
     }

@@ -22,7 +22,7 @@ final class Accusation {
      * @param late whether it was seen on outputs with a delay, or on those without
      */
     String unexpected(boolean late) {
-        boolean[] said = new boolean[delayed.length];
+        boolean[] said = flags();
         ArrayList<String> shown = new ArrayList<String>();
         for (int port = 0; port < said.length; port++) {
             said[port] = delayed[port] == late && isPromised(port);
@@ -33,11 +33,24 @@ final class Accusation {
         ArrayList<String> allowed = new ArrayList<String>();
         for (int run = 0; run < runs.size(); run++) {
             String alternative = alternative(run, said);
-            if (!allowed.contains(alternative)) {
+            if (!contains(allowed, alternative)) {
                 allowed.add(alternative);
             }
         }
         return " forbids " + joined(shown, ", ") + "; it allows " + joined(allowed, " or ");
+    }
+
+    private boolean[] flags() {
+        return new boolean[delayed.length];
+    }
+
+    private static boolean contains(ArrayList<String> texts, String text) {
+        for (int i = 0; i < texts.size(); i++) {
+            if (texts.get(i).equals(text)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether any run says something about a port. */

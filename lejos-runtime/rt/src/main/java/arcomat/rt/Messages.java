@@ -24,8 +24,12 @@ final class Messages {
 
     Messages(int ports) {
         this.ports = ports;
-        this.counts = new int[ports];
-        this.starts = new int[ports];
+        this.counts = row();
+        this.starts = row();
+    }
+
+    private int[] row() {
+        return new int[ports];
     }
 
     void clear() {
@@ -36,14 +40,18 @@ final class Messages {
     /** A further row, without any message. */
     void add() {
         int first = rows * ports;
-        if (first + ports > counts.length) {
-            counts = Values.longer(counts);
-            starts = Values.longer(starts);
-        }
+        grow(first + ports);
         for (int i = first; i < first + ports; i++) {
             counts[i] = 0;
         }
         rows++;
+    }
+
+    private void grow(int size) {
+        if (size > counts.length) {
+            counts = Values.longer(counts);
+            starts = Values.longer(starts);
+        }
     }
 
     /** A further row, with what a row elsewhere has. */

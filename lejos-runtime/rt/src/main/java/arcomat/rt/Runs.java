@@ -99,6 +99,14 @@ final class Runs {
     }
 
     private void row(String cause, int origin, int state) {
+        grow();
+        causes[size] = cause;
+        origins[size] = origin;
+        states[size] = state;
+        size++;
+    }
+
+    private void grow() {
         if (size == states.length) {
             String[] texts = new String[2 * size];
             System.arraycopy(causes, 0, texts, 0, size);
@@ -106,10 +114,6 @@ final class Runs {
             origins = Values.longer(origins);
             states = Values.longer(states);
         }
-        causes[size] = cause;
-        origins[size] = origin;
-        states[size] = state;
-        size++;
     }
 
     /** A variable of the last run. */
@@ -195,14 +199,17 @@ final class Runs {
         while (length < 2 * size) {
             length *= 2;
         }
-        if (index.length < length) {
-            index = new int[length];
-        } else {
-            for (int i = 0; i < length; i++) {
-                index[i] = 0;
-            }
+        growIndex(length);
+        for (int i = 0; i < length; i++) {
+            index[i] = 0;
         }
         return length;
+    }
+
+    private void growIndex(int length) {
+        if (index.length < length) {
+            index = new int[length];
+        }
     }
 
     /** Where a run is, or would be. */

@@ -56,11 +56,15 @@ final class Values {
     }
 
     void set(int index, Object object) {
+        keepObjects();
+        numbers[index] = 0;
+        objects[index] = object;
+    }
+
+    private void keepObjects() {
         if (objects == null) {
             objects = new Object[numbers.length];
         }
-        numbers[index] = 0;
-        objects[index] = object;
     }
 
     private void grow() {
@@ -102,11 +106,19 @@ final class Values {
         Object mine = object(index);
         return mine == null
                 ? numbers[index] == that.numbers[other] && that.object(other) == null
-                : mine.equals(that.object(other));
+                : sameObjects(mine, that.object(other));
+    }
+
+    private static boolean sameObjects(Object mine, Object other) {
+        return mine.equals(other);
     }
 
     int hash(int index) {
         Object object = object(index);
-        return object == null ? (int) (numbers[index] ^ numbers[index] >>> 32) : object.hashCode();
+        return object == null ? (int) (numbers[index] ^ numbers[index] >>> 32) : hash(object);
+    }
+
+    private static int hash(Object object) {
+        return object.hashCode();
     }
 }

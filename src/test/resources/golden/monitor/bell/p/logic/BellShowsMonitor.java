@@ -87,6 +87,7 @@ public final class BellShowsMonitor extends arcomat.rt.EventMonitor {
                     leaveOpen(2);
                     leaveOpen(3);
                     leaveOpen(4);
+                    break;
                 }
                 // line 24: s [mood == green] {push == true} / {tone = [0.25f, 0.5f]};
                 if (hasPush && push && mood == LampCode.GREEN) {

@@ -59,6 +59,7 @@ public final class CountsMonitor extends arcomat.rt.Monitor {
                     go("line 10: s -> s", S);
                     set(1, one);
                     send(0, two);
+                    break;
                 }
                 // line 11: s {x == false} / {one = two % 5, careful = one};
                 if (hasX && !x) {

@@ -72,6 +72,7 @@ public final class DoorRingsMonitor extends arcomat.rt.Monitor {
                     send(0, code(push));
                     leaveOpen(1);
                     sendAny(2);
+                    break;
                 }
                 // line 10: s {push == --} / {bell = --};
                 if (!hasPush) {

@@ -57,11 +57,13 @@ public final class PortsMonitor extends arcomat.rt.Monitor {
                 if (y != LightCode.SILENCE && x != y && x == LightCode.RED) {
                     go("line 10: s -> s", S);
                     send(0, 2);
+                    break;
                 }
                 // line 11: s {x == --, y == z} / {what = 3};
                 if (x == LightCode.SILENCE && y != LightCode.SILENCE && y == z) {
                     go("line 11: s -> s", S);
                     send(0, 3);
+                    break;
                 }
                 // line 12: s {x == --, y == --} / {what = 4};
                 if (x == LightCode.SILENCE && y == LightCode.SILENCE) {

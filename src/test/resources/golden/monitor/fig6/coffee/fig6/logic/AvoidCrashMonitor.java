@@ -84,6 +84,7 @@ public final class AvoidCrashMonitor extends arcomat.rt.Monitor {
                     go("line 31: driving -> backing", BACKING);
                     send(0, MotorCmdCode.BACK_RIGHT);
                     send(1, TimerCmdCode.DELAY);
+                    break;
                 }
                 // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
                 if (frontUS == DistanceCode.TOO_CLOSE && gotCoffee) {

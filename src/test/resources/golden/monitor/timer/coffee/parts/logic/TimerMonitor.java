@@ -72,12 +72,15 @@ public final class TimerMonitor extends arcomat.rt.Monitor {
                 if (timerCmd == TimerCmdCode.DELAY) {
                     go("line 22: running -> running", RUNNING);
                     set(0, slices - 1);
+                    break;
                 }
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
                 risk();
                 if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
                     go("line 23: running -> running", RUNNING);
                     set(0, careful.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left"));
+                    unlessWrong();
+                    break;
                 }
                 unlessWrong();
                 // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left = 0};

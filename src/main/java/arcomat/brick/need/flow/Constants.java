@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -9,11 +9,11 @@ import org.objectweb.asm.tree.LdcInsnNode;
 import java.util.OptionalInt;
 
 /** Whole numbers that instructions push. */
-final class Constants {
+public final class Constants {
     private Constants() {}
 
     /** The number that an instruction pushes, if it always pushes the same one. */
-    static OptionalInt pushed(AbstractInsnNode instruction) {
+    public static OptionalInt pushed(AbstractInsnNode instruction) {
         int opcode = instruction == null ? -1 : instruction.getOpcode();
         if (instruction instanceof InsnNode
                 && opcode >= Opcodes.ICONST_M1
@@ -30,7 +30,7 @@ final class Constants {
     }
 
     /** The instruction before one, labels and lines left out; null at the start. */
-    static AbstractInsnNode before(AbstractInsnNode instruction) {
+    public static AbstractInsnNode before(AbstractInsnNode instruction) {
         AbstractInsnNode each = instruction.getPrevious();
         while (each != null && each.getOpcode() < 0) {
             each = each.getPrevious();

@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import org.objectweb.asm.tree.MethodInsnNode;
 
@@ -7,12 +7,12 @@ import org.objectweb.asm.tree.MethodInsnNode;
  *
  * @param owner internal name of the class it is looked up in
  */
-record MethodName(String owner, String name, String descriptor) {
-    static MethodName of(MethodInsnNode call) {
+public record MethodName(String owner, String name, String descriptor) {
+    public static MethodName of(MethodInsnNode call) {
         return new MethodName(call.owner, call.name, call.desc);
     }
 
-    MethodName in(String other) {
+    public MethodName in(String other) {
         return new MethodName(other, name, descriptor);
     }
 

@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -22,10 +22,10 @@ import java.util.OptionalLong;
  * @param loop a knot of instructions
  * @param head the only one of them that is reached from outside
  */
-record LoopCounter(FlowGraph graph, BitSet loop, int head) {
+public record LoopCounter(FlowGraph graph, BitSet loop, int head) {
 
     /** At most so many times the end leads back to the head. */
-    OptionalLong rounds() {
+    public OptionalLong rounds() {
         return loop.stream()
                 .mapToObj(this::rounds)
                 .filter(OptionalLong::isPresent)

@@ -1,7 +1,7 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 /** Nothing can be said without running the program; the message tells why, and where. */
-final class Unknown extends RuntimeException {
+public final class Unknown extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     private final boolean isPlaced;
@@ -9,7 +9,7 @@ final class Unknown extends RuntimeException {
     /**
      * @param why part of a sentence, after "not known: "
      */
-    Unknown(String why) {
+    public Unknown(String why) {
         this(why, false);
     }
 
@@ -19,12 +19,12 @@ final class Unknown extends RuntimeException {
     }
 
     /** Of a method that is the reason itself. */
-    static Unknown of(MethodName method, String why) {
+    public static Unknown of(MethodName method, String why) {
         return new Unknown(method + " " + why, true);
     }
 
     /** The same with the method that it was found in; callers of that one add nothing. */
-    Unknown in(MethodName method) {
+    public Unknown in(MethodName method) {
         return isPlaced ? this : new Unknown(getMessage() + " in " + method, true);
     }
 }

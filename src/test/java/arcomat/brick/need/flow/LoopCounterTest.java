@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import arcomat.graph.Digraph;
 
@@ -20,12 +20,12 @@ import java.util.function.IntPredicate;
  * The ways through a method, as positions of its instructions. Ways by exceptions are left out: a
  * slice that throws is the last one.
  */
-final class FlowGraph {
+public final class FlowGraph {
     private final InsnList instructions;
     private final List<List<Integer>> after = new ArrayList<>();
     private final List<List<Integer>> before = new ArrayList<>();
 
-    FlowGraph(MethodNode method) {
+    public FlowGraph(MethodNode method) {
         this.instructions = method.instructions;
         for (int i = 0; i < instructions.size(); i++) {
             after.add(new ArrayList<>());
@@ -74,28 +74,28 @@ final class FlowGraph {
         return each.getOpcode() >= Opcodes.IRETURN && each.getOpcode() <= Opcodes.RETURN;
     }
 
-    int size() {
+    public int size() {
         return instructions.size();
     }
 
-    AbstractInsnNode instruction(int position) {
+    public AbstractInsnNode instruction(int position) {
         return instructions.get(position);
     }
 
-    int position(AbstractInsnNode instruction) {
+    public int position(AbstractInsnNode instruction) {
         return instructions.indexOf(instruction);
     }
 
-    List<Integer> after(int position) {
+    public List<Integer> after(int position) {
         return after.get(position);
     }
 
-    List<Integer> before(int position) {
+    public List<Integer> before(int position) {
         return before.get(position);
     }
 
     /** The ways between some instructions, which keep their numbers; the others have none. */
-    Digraph among(BitSet some) {
+    public Digraph among(BitSet some) {
         Digraph ways = new Digraph(size());
         for (int i = some.nextSetBit(0); i >= 0; i = some.nextSetBit(i + 1)) {
             for (int next : after.get(i)) {
@@ -112,7 +112,7 @@ final class FlowGraph {
      *
      * @param isEnd instructions that no way gets past
      */
-    BitSet useful(IntPredicate isEnd) {
+    public BitSet useful(IntPredicate isEnd) {
         BitSet forward = new BitSet();
         if (size() > 0) {
             spread(0, after, forward, isEnd);

@@ -1,4 +1,4 @@
-package arcomat.brick.need;
+package arcomat.brick.need.flow;
 
 import arcomat.graph.Digraph;
 import arcomat.graph.StrongComponents;
@@ -15,11 +15,11 @@ import java.util.stream.IntStream;
  * The heaviest way through a method, from its start to a return. Of branches the heavier counts,
  * whether or not the way can be gone; a loop counts as often as it can go round.
  */
-final class HeaviestPath {
+public final class HeaviestPath {
     private static final long UNREACHED = -1;
 
     /** What an instruction weighs, calls with what they call; never negative. */
-    interface Weight {
+    public interface Weight {
         long of(AbstractInsnNode instruction);
     }
 
@@ -38,7 +38,7 @@ final class HeaviestPath {
      * @param rounds how often loops go round that do not count, if that is known
      * @throws Unknown if a loop weighs something and may go round any number of times
      */
-    static long of(FlowGraph graph, BitSet useful, OptionalLong rounds, Weight weight) {
+    public static long of(FlowGraph graph, BitSet useful, OptionalLong rounds, Weight weight) {
         if (!useful.get(0)) {
             return 0;
         }
