@@ -8,8 +8,6 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 
-import java.util.IdentityHashMap;
-import java.util.Map;
 import java.util.function.UnaryOperator;
 
 /**
@@ -25,49 +23,9 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
     /** What is longer, in parts, is made here; what is not stays as a person would write it. */
     static final long LONGEST = 5_000;
 
-    /** How long the conditions that are made by asking for both truth values would be. */
-    private record Lengths(long truth, long defined, long value) {
-        static long sum(long one, long another) {
-            return Math.min(LONGEST + 1, one + another);
-        }
-    }
-
     /** Whether a guard nests so deeply. */
     boolean areFor(Expression guard) {
-        return lengths(guard, new IdentityHashMap<>()).truth > longest;
-    }
-
-    private Lengths lengths(Expression e, Map<Expression, Lengths> known) {
-        Lengths lengths = known.get(e);
-        if (lengths == null) {
-            lengths = computed(e, known);
-            known.put(e, lengths);
-        }
-        return lengths;
-    }
-
-    private Lengths computed(Expression e, Map<Expression, Lengths> known) {
-        long truth = 1;
-        long defined = 1;
-        long value = 1;
-        for (Expression operand : e.operands()) {
-            Lengths part = lengths(operand, known);
-            truth = Lengths.sum(truth, part.truth);
-            defined = Lengths.sum(defined, part.defined);
-            value = Lengths.sum(value, part.value);
-        }
-        if (e instanceof Expression.Conditional choice) {
-            long condition = lengths(choice.condition(), known).truth;
-            truth = Lengths.sum(truth, condition);
-            defined = Lengths.sum(defined, Lengths.sum(condition, condition));
-            value = Lengths.sum(value, condition);
-        } else if (Formulas.isLazy(e)) {
-            defined = Lengths.sum(truth, truth);
-            value = truth;
-        } else if (!Formulas.isNegation(e)) {
-            truth = Lengths.sum(defined, value);
-        }
-        return new Lengths(truth, defined, value);
+        return ConditionLength.of(guard, formulas).truth() > longest;
     }
 
     /** That an expression has a value, and this one. */

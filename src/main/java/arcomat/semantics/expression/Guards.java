@@ -11,6 +11,7 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
+import arcomat.model.Judgement;
 import arcomat.model.Type;
 import arcomat.semantics.expression.DeepConditions.Connective;
 import arcomat.semantics.value.TooManyWays;
@@ -29,17 +30,33 @@ import java.util.List;
  * has found a message on it. Ports that always carry one ({@code <<total>>}) need no such test.
  */
 public final class Guards {
+    /** How many parts a condition may have in any case. */
+    private static final long SHORT = 500;
+
+    /** How many parts a longer one may have for each that is written. */
+    private static final long PARTS_PER_PART = 8;
+
     private final Formulas formulas;
     private final DeepConditions deep;
+    private final boolean judges;
 
     public Guards(Component.Profile profile) {
-        this(profile, DeepConditions.LONGEST);
+        this(profile, DeepConditions.LONGEST, false);
+    }
+
+    /**
+     * Conditions that grow only as the guards do: what nests so that it would stand in a condition
+     * many times is {@linkplain Expression.Judged judged}.
+     */
+    public static Guards judging(Component.Profile profile) {
+        return new Guards(profile, DeepConditions.LONGEST, true);
     }
 
     /**
      * @param longest of how many parts a condition is made as a person would write it
      */
-    Guards(Component.Profile profile, long longest) {
+    Guards(Component.Profile profile, long longest, boolean judges) {
+        this.judges = judges;
         formulas = new Formulas(profile);
         deep =
                 new DeepConditions(
@@ -210,7 +227,55 @@ public final class Guards {
 
     /** That a condition has a value, which is true. */
     Expression isTrue(Expression guard) {
+        if (judges) {
+            return isLong(guard) ? judged(guard) : certainlyTrue(guard);
+        }
         return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
+    }
+
+    Expression judged(Expression guard) {
+        return new Expression.Judged(judgement(guard), guard.span());
+    }
+
+    private boolean isLong(Expression guard) {
+        long truth = ConditionLength.of(guard, formulas).truth();
+        return truth > SHORT && truth > PARTS_PER_PART * ConditionLength.parts(guard);
+    }
+
+    /**
+     * How a condition is judged. What is no connective, and compares no truth values, is a part; so
+     * is what reads only messages that are there together.
+     */
+    private Judgement judgement(Expression e) {
+        if (formulas.isStrict(e)) {
+            return new Judgement.Part(formulas.present(e), Formulas.folded(e));
+        }
+        if (Formulas.isNegation(e)) {
+            return new Judgement.Not(judgement(e.operands().get(0)));
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return new Judgement.Choice(
+                    judgement(choice.condition()),
+                    judgement(choice.then()),
+                    judgement(choice.otherwise()));
+        }
+        if (e instanceof Expression.Binary binary
+                && binary.left().type() instanceof Type.BooleanType) {
+            return joined(binary);
+        }
+        return new Judgement.Part(formulas.simplify(defined(e)), whereDefined(e));
+    }
+
+    private Judgement joined(Expression.Binary binary) {
+        Judgement left = judgement(binary.left());
+        Judgement right = judgement(binary.right());
+        return switch (binary.operator()) {
+            case AND -> new Judgement.Row(true, left, right);
+            case OR -> new Judgement.Row(false, left, right);
+            case IMPLIES -> new Judgement.Row(false, new Judgement.Not(left), right);
+            case NOT_EQUAL -> new Judgement.Comparison(false, left, right);
+            default -> new Judgement.Comparison(true, left, right);
+        };
     }
 
     private Expression certainlyTrue(Expression e) {
