@@ -13,7 +13,6 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
 import arcomat.model.Judgement;
 import arcomat.model.Type;
-import arcomat.semantics.expression.DeepConditions.Connective;
 import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
@@ -30,18 +29,23 @@ import java.util.List;
  * has found a message on it. Ports that always carry one ({@code <<total>>}) need no such test.
  */
 public final class Guards {
-    /** How many parts a condition may have in any case. */
+    /** How many parts a condition may have that stays as a person would write it. */
+    private static final long LONGEST = 5_000;
+
+    /** How many parts it may have in any case where conditions may be judged. */
     private static final long SHORT = 500;
 
     /** How many parts a longer one may have for each that is written. */
     private static final long PARTS_PER_PART = 8;
 
     private final Formulas formulas;
-    private final DeepConditions deep;
+    private final TwoValued plain;
+    private final TwoValued once;
+    private final long longest;
     private final boolean judges;
 
     public Guards(Component.Profile profile) {
-        this(profile, DeepConditions.LONGEST, false);
+        this(profile, LONGEST, false);
     }
 
     /**
@@ -49,18 +53,18 @@ public final class Guards {
      * many times is {@linkplain Expression.Judged judged}.
      */
     public static Guards judging(Component.Profile profile) {
-        return new Guards(profile, DeepConditions.LONGEST, true);
+        return new Guards(profile, LONGEST, true);
     }
 
     /**
      * @param longest of how many parts a condition is made as a person would write it
      */
     Guards(Component.Profile profile, long longest, boolean judges) {
+        this.longest = longest;
         this.judges = judges;
         formulas = new Formulas(profile);
-        deep =
-                new DeepConditions(
-                        formulas, matches -> twoValued((Expression.PortMatches) matches), longest);
+        plain = new TwoValued(formulas, false);
+        once = new TwoValued(formulas, true);
     }
 
     /**
@@ -227,19 +231,16 @@ public final class Guards {
 
     /** That a condition has a value, which is true. */
     Expression isTrue(Expression guard) {
-        if (judges) {
-            return isLong(guard) ? judged(guard) : certainlyTrue(guard);
+        long parts = ConditionLength.of(guard, formulas).truth();
+        if (judges && parts > SHORT && parts > PARTS_PER_PART * ConditionLength.parts(guard)) {
+            return judged(guard);
         }
-        return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
+        boolean asksOnce = !judges && parts > longest;
+        return (asksOnce ? once : plain).certainly(true, guard);
     }
 
     Expression judged(Expression guard) {
         return new Expression.Judged(judgement(guard), guard.span());
-    }
-
-    private boolean isLong(Expression guard) {
-        long truth = ConditionLength.of(guard, formulas).truth();
-        return truth > SHORT && truth > PARTS_PER_PART * ConditionLength.parts(guard);
     }
 
     /**
@@ -263,7 +264,7 @@ public final class Guards {
                 && binary.left().type() instanceof Type.BooleanType) {
             return joined(binary);
         }
-        return new Judgement.Part(formulas.simplify(defined(e)), whereDefined(e));
+        return new Judgement.Part(formulas.simplify(plain.defined(e)), plain.value(e));
     }
 
     private Judgement joined(Expression.Binary binary) {
@@ -276,103 +277,5 @@ public final class Guards {
             case NOT_EQUAL -> new Judgement.Comparison(false, left, right);
             default -> new Judgement.Comparison(true, left, right);
         };
-    }
-
-    private Expression certainlyTrue(Expression e) {
-        return certainly(true, e);
-    }
-
-    /** That an expression has a value, and this one. */
-    private Expression certainly(boolean truth, Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            return truth ? twoValued(matches) : not(twoValued(matches));
-        }
-        if (formulas.isStrict(e)) {
-            return and(formulas.present(e), truth ? Formulas.folded(e) : not(e));
-        }
-        if (Formulas.isNegation(e)) {
-            return certainly(!truth, e.operands().get(0));
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return chosen(
-                    choice, certainly(truth, choice.then()), certainly(truth, choice.otherwise()));
-        }
-        if (Formulas.isLazy(e)) {
-            Connective both = Connective.of((Expression.Binary) e);
-            return both.joined(
-                    truth, certainly(truth, both.left()), certainly(truth, both.right()));
-        }
-        return and(defined(e), truth ? whereDefined(e) : not(whereDefined(e)));
-    }
-
-    /** Of a condition that is true it is not asked once more whether it is false. */
-    private Expression chosen(
-            Expression.Conditional choice, Expression then, Expression otherwise) {
-        Expression condition = choice.condition();
-        if (!formulas.isStrict(condition) && condition.divides()) {
-            return and(
-                    defined(condition),
-                    DeepConditions.choice(whereDefined(condition), then, otherwise, condition));
-        }
-        return or(and(certainlyTrue(condition), then), and(certainly(false, condition), otherwise));
-    }
-
-    /** When an expression of any type has a value. */
-    private Expression defined(Expression e) {
-        if (formulas.isStrict(e)) {
-            return formulas.present(e);
-        }
-        if (e instanceof Expression.PortMatches) {
-            return TRUE;
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return chosen(choice, defined(choice.then()), defined(choice.otherwise()));
-        }
-        if (Formulas.isLazy(e)) {
-            return or(certainlyTrue(e), certainly(false, e));
-        }
-        Expression all = TRUE;
-        for (Expression operand : e.operands()) {
-            all = and(all, defined(operand));
-        }
-        return all;
-    }
-
-    /** Agrees with the expression where that is defined; harmless, but anything, elsewhere. */
-    private Expression whereDefined(Expression e) {
-        if (formulas.isStrict(e)) {
-            return e;
-        }
-        if (e instanceof Expression.PortMatches matches) {
-            return twoValued(matches);
-        }
-        if (Formulas.isLazy(e) && e.type() instanceof Type.BooleanType) {
-            return certainlyTrue(e);
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return new Expression.Conditional(
-                    certainlyTrue(choice.condition()),
-                    whereDefined(choice.then()),
-                    whereDefined(choice.otherwise()),
-                    choice.type(),
-                    choice.span());
-        }
-        return e.withOperands(this::whereDefined);
-    }
-
-    /** Values of a pattern that read an absent port match nothing. */
-    private Expression twoValued(Expression.PortMatches matches) {
-        if (!(matches.pattern() instanceof Automaton.OneOf oneOf)
-                || formulas.present(matches).equals(TRUE)) {
-            return matches;
-        }
-        Expression any = FALSE;
-        for (Expression value : oneOf.values()) {
-            Expression test =
-                    new Expression.PortMatches(
-                            matches.port(), new Automaton.OneOf(List.of(value)), matches.span());
-            any = or(any, and(defined(value), test));
-        }
-        return any;
     }
 }
