@@ -11,7 +11,6 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
-import arcomat.model.Judgement;
 import arcomat.model.Type;
 import arcomat.semantics.value.TooManyWays;
 
@@ -240,42 +239,6 @@ public final class Guards {
     }
 
     Expression judged(Expression guard) {
-        return new Expression.Judged(judgement(guard), guard.span());
-    }
-
-    /**
-     * How a condition is judged. What is no connective, and compares no truth values, is a part; so
-     * is what reads only messages that are there together.
-     */
-    private Judgement judgement(Expression e) {
-        if (formulas.isStrict(e)) {
-            return new Judgement.Part(formulas.present(e), Formulas.folded(e));
-        }
-        if (Formulas.isNegation(e)) {
-            return new Judgement.Not(judgement(e.operands().get(0)));
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return new Judgement.Choice(
-                    judgement(choice.condition()),
-                    judgement(choice.then()),
-                    judgement(choice.otherwise()));
-        }
-        if (e instanceof Expression.Binary binary
-                && binary.left().type() instanceof Type.BooleanType) {
-            return joined(binary);
-        }
-        return new Judgement.Part(formulas.simplify(plain.defined(e)), plain.value(e));
-    }
-
-    private Judgement joined(Expression.Binary binary) {
-        Judgement left = judgement(binary.left());
-        Judgement right = judgement(binary.right());
-        return switch (binary.operator()) {
-            case AND -> new Judgement.Row(true, left, right);
-            case OR -> new Judgement.Row(false, left, right);
-            case IMPLIES -> new Judgement.Row(false, new Judgement.Not(left), right);
-            case NOT_EQUAL -> new Judgement.Comparison(false, left, right);
-            default -> new Judgement.Comparison(true, left, right);
-        };
+        return new Expression.Judged(new Judging(formulas, plain).of(guard), guard.span());
     }
 }

@@ -53,6 +53,9 @@ class DeepGuardsTest {
             b; ((@) implies a) != b
             b; a ? (@) == b : b
             b; (a && (@)) ? b : (a || b)
+            n > 0; n == ((@) ? 1 : 2)
+            n > 0; ((@) ? 6 / n : n) + 1 > n
+            b; n > ((@) ? 1 : 2) == (a || 6 / n > 1)
             n > 0; (a && 6 / n > 1) == (@)
             n > 0; (@) == (a && 6 / n > 1)
             n > 0; a == ((@) && 6 / n > 1)
@@ -77,7 +80,9 @@ class DeepGuardsTest {
 
     @Test
     void codeGrowsWithAGuardOfManyShapes() {
-        growsWith(nested("a", shapes(), DEPTH / 4), nested("a", shapes(), DEPTH / 2));
+        List<String> shapes = shapes();
+        int levels = 2 * shapes.size();
+        growsWith(nested("a", shapes, levels), nested("a", shapes, 2 * levels));
     }
 
     private static void growsWith(String half, String whole) {
