@@ -389,7 +389,7 @@ public sealed interface Expression {
      * That a condition which nests deeply has a value, which is true. It has a value itself, and
      * each part of the condition is looked at once.
      */
-    record Judged(Judgement judgement, Span span) implements Expression {
+    record Judged(Valuation valuation, Span span) implements Expression {
         @Override
         public Type type() {
             return new Type.BooleanType();
@@ -402,12 +402,12 @@ public sealed interface Expression {
 
         @Override
         public List<Expression> operands() {
-            return judgement.expressions();
+            return valuation.expressions();
         }
 
         @Override
         public Expression withOperands(Function<Expression, Expression> rewrite) {
-            return new Judged(judgement.with(rewrite), span);
+            return new Judged(valuation.with(rewrite), span);
         }
     }
 

@@ -118,12 +118,12 @@ public final class ExpressionText implements Expression.Cases<ExpressionText.Wri
     /** The condition itself: that it is true is what a condition says. */
     @Override
     public Written judged(Expression.Judged judged) {
-        return judged.judgement().fold(new Judging());
+        return judged.valuation().fold(new Judging());
     }
 
-    private static final class Judging implements Judgement.Cases<Written> {
+    private static final class Judging implements Valuation.Cases<Written> {
         @Override
-        public Written part(Judgement.Part part) {
+        public Written part(Valuation.Part part) {
             return part.value().match(FORMS);
         }
 

@@ -7,7 +7,7 @@ import arcomat.generate.text.Formula;
 import arcomat.generate.text.FormulaBuilder;
 import arcomat.generate.text.MemberNames;
 import arcomat.generate.view.AtomicView.ConditionView;
-import arcomat.model.Judgement;
+import arcomat.model.Valuation;
 
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -58,18 +58,24 @@ final class LongConditions {
 
         /** The same with calls in the place of what is judged. */
         private Formula called(Formula f) {
-            if (f instanceof Formula.Judged judged) {
-                ExpressionWriter here = expressions.at(judged.place());
-                Judgement judgement = judged.condition().judgement();
-                Text known = judgement.fold(new Judging(here));
-                return Formula.Test.of(here.judgedTrue(known), judged.mayFail());
-            }
-            if (f instanceof Formula.Not not) {
-                return new Formula.Not(called(not.operand()));
-            }
-            return f instanceof Formula.Row row
-                    ? Formula.Row.of(row.all(), row.operands().stream().map(this::called).toList())
-                    : f;
+            return f.match(
+                    new Formula.Cases<>(
+                            carries -> carries,
+                            is -> is,
+                            test -> test,
+                            not -> new Formula.Not(called(not.operand())),
+                            row -> Formula.Row.of(row.all(), called(row.operands())),
+                            this::called));
+        }
+
+        private List<Formula> called(List<Formula> operands) {
+            return operands.stream().map(this::called).toList();
+        }
+
+        private Formula called(Formula.Judged judged) {
+            ExpressionWriter here = expressions.at(judged.place());
+            Text known = judged.condition().valuation().fold(new Writing(here));
+            return Formula.Test.of(here.judgedTrue(known), judged.mayFail());
         }
 
         private Formula shortened(Formula f) {
@@ -129,15 +135,15 @@ final class LongConditions {
         }
 
         /** Writes what is known of a condition. */
-        private final class Judging implements Judgement.Cases<Text> {
+        private final class Writing implements Valuation.Cases<Text> {
             private final ExpressionWriter here;
 
-            Judging(ExpressionWriter here) {
+            Writing(ExpressionWriter here) {
                 this.here = here;
             }
 
             @Override
-            public Text part(Judgement.Part part) {
+            public Text part(Valuation.Part part) {
                 Formula defined = new FormulaBuilder(here).of(part.defined());
                 Formula value = new FormulaBuilder(here).of(part.value());
                 Text known = tried(value, here.judged("of", text(value)), "late");

@@ -2,8 +2,8 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
-import arcomat.model.Judgement;
 import arcomat.model.Type;
+import arcomat.model.Valuation;
 import arcomat.model.Value;
 import arcomat.rt.Kleene;
 
@@ -268,7 +268,7 @@ public final class Evaluation implements Expression.Cases<Term> {
 
     @Override
     public Term judged(Expression.Judged judged) {
-        Knowledge all = judged.judgement().fold(new Judging());
+        Knowledge all = judged.valuation().fold(new Judging());
         return (ports, variables) -> {
             int known = all.in(ports, variables);
             if (Kleene.isWrong(known)) {
@@ -284,9 +284,9 @@ public final class Evaluation implements Expression.Cases<Term> {
         int in(Value[] ports, Value[] variables);
     }
 
-    private final class Judging implements Judgement.Cases<Knowledge> {
+    private final class Judging implements Valuation.Cases<Knowledge> {
         @Override
-        public Knowledge part(Judgement.Part part) {
+        public Knowledge part(Valuation.Part part) {
             Term defined = term(part.defined());
             Term value = term(part.value());
             Knowledge known = tried((p, v) -> Kleene.of(value.holds(p, v)), Kleene.DEFINED_WRONG);

@@ -1,8 +1,8 @@
 package arcomat.semantics.expression;
 
 import arcomat.model.Expression;
-import arcomat.model.Judgement;
 import arcomat.model.Type;
+import arcomat.model.Valuation;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,51 +12,67 @@ import java.util.List;
  * what reads only messages that are there together. A conditional that one side of a comparison
  * depends on decides between two comparisons.
  */
-record Judging(Formulas formulas, TwoValued conditions) {
-    Judgement of(Expression e) {
-        if (formulas.isStrict(e)) {
-            return new Judgement.Part(formulas.present(e), Formulas.folded(e));
-        }
-        if (Formulas.isNegation(e)) {
-            return new Judgement.Not(of(e.operands().get(0)));
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return new Judgement.Choice(
-                    of(choice.condition()), of(choice.then()), of(choice.otherwise()));
-        }
-        if (e instanceof Expression.Binary binary
-                && binary.left().type() instanceof Type.BooleanType) {
-            return joined(binary);
-        }
-        return e instanceof Expression.PortMatches ? part(e) : compared(e);
+record Judging(Formulas formulas, TwoValued conditions) implements Expression.SomeCases<Valuation> {
+    Valuation of(Expression e) {
+        return formulas.isStrict(e)
+                ? new Valuation.Part(formulas.present(e), Formulas.folded(e))
+                : e.match(this);
     }
 
-    private Judgement part(Expression e) {
-        return new Judgement.Part(formulas.simplify(conditions.defined(e)), conditions.value(e));
+    @Override
+    public Valuation unary(Expression.Unary unary) {
+        return Formulas.isNegation(unary)
+                ? new Valuation.Not(of(unary.operand()))
+                : compared(unary);
     }
 
-    private Judgement joined(Expression.Binary binary) {
-        Judgement left = of(binary.left());
-        Judgement right = of(binary.right());
+    @Override
+    public Valuation conditional(Expression.Conditional choice) {
+        return new Valuation.Choice(
+                of(choice.condition()), of(choice.then()), of(choice.otherwise()));
+    }
+
+    @Override
+    public Valuation binary(Expression.Binary binary) {
+        return binary.left().type() instanceof Type.BooleanType ? joined(binary) : compared(binary);
+    }
+
+    @Override
+    public Valuation portMatches(Expression.PortMatches matches) {
+        return part(matches);
+    }
+
+    @Override
+    public Valuation otherwise(Expression e) {
+        return compared(e);
+    }
+
+    private Valuation part(Expression e) {
+        return new Valuation.Part(formulas.simplify(conditions.defined(e)), conditions.value(e));
+    }
+
+    private Valuation joined(Expression.Binary binary) {
+        Valuation left = of(binary.left());
+        Valuation right = of(binary.right());
         return switch (binary.operator()) {
-            case AND -> new Judgement.Row(true, left, right);
-            case OR -> new Judgement.Row(false, left, right);
-            case IMPLIES -> new Judgement.Row(false, new Judgement.Not(left), right);
-            case NOT_EQUAL -> new Judgement.Comparison(false, left, right);
-            default -> new Judgement.Comparison(true, left, right);
+            case AND -> new Valuation.Row(true, left, right);
+            case OR -> new Valuation.Row(false, left, right);
+            case IMPLIES -> new Valuation.Row(false, new Valuation.Not(left), right);
+            case NOT_EQUAL -> new Valuation.Comparison(false, left, right);
+            default -> new Valuation.Comparison(true, left, right);
         };
     }
 
     /** A conditional decides after it has been asked whether what stands before it is there. */
-    private Judgement compared(Expression comparison) {
+    private Valuation compared(Expression comparison) {
         List<Expression> open = new ArrayList<>();
         List<Expression> before = new ArrayList<>();
         addOpen(comparison, open, before);
         if (open.size() != 1 || !(open.get(0) instanceof Expression.Conditional choice)) {
             return part(comparison);
         }
-        Judgement decided =
-                new Judgement.Choice(
+        Valuation decided =
+                new Valuation.Choice(
                         of(choice.condition()),
                         of(replaced(comparison, choice, choice.then())),
                         of(replaced(comparison, choice, choice.otherwise())));
@@ -64,10 +80,10 @@ record Judging(Formulas formulas, TwoValued conditions) {
                 before.stream().map(formulas::present).reduce(Formulas.TRUE, Formulas::and);
         return there.equals(Formulas.TRUE)
                 ? decided
-                : new Judgement.Choice(
-                        new Judgement.Part(there, Formulas.TRUE),
+                : new Valuation.Choice(
+                        new Valuation.Part(there, Formulas.TRUE),
                         decided,
-                        new Judgement.Part(Formulas.TRUE, Formulas.FALSE));
+                        new Valuation.Part(Formulas.TRUE, Formulas.FALSE));
     }
 
     /**

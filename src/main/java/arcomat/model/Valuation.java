@@ -8,7 +8,7 @@ import java.util.function.Function;
  * How a condition comes to be true, false or undefined by Kleene's rules, part by part: each part
  * stands in it once, however deeply it is nested.
  */
-public sealed interface Judgement {
+public sealed interface Valuation {
     /** Takes it apart, from the parts on, from left to right. */
     <R> R fold(Cases<R> cases);
 
@@ -35,14 +35,14 @@ public sealed interface Judgement {
      * @param defined two-valued, whether it has a value
      * @param value which one; looked at where it has one only
      */
-    record Part(Expression defined, Expression value) implements Judgement {
+    record Part(Expression defined, Expression value) implements Valuation {
         @Override
         public <R> R fold(Cases<R> cases) {
             return cases.part(this);
         }
     }
 
-    record Not(Judgement operand) implements Judgement {
+    record Not(Valuation operand) implements Valuation {
         @Override
         public <R> R fold(Cases<R> cases) {
             return cases.not(operand.fold(cases));
@@ -50,7 +50,7 @@ public sealed interface Judgement {
     }
 
     /** Both hold, or at least one does. */
-    record Row(boolean all, Judgement left, Judgement right) implements Judgement {
+    record Row(boolean all, Valuation left, Valuation right) implements Valuation {
         @Override
         public <R> R fold(Cases<R> cases) {
             R first = left.fold(cases);
@@ -59,7 +59,7 @@ public sealed interface Judgement {
     }
 
     /** Both have the same value, or they have different ones. */
-    record Comparison(boolean equal, Judgement left, Judgement right) implements Judgement {
+    record Comparison(boolean equal, Valuation left, Valuation right) implements Valuation {
         @Override
         public <R> R fold(Cases<R> cases) {
             R first = left.fold(cases);
@@ -67,7 +67,7 @@ public sealed interface Judgement {
         }
     }
 
-    record Choice(Judgement condition, Judgement then, Judgement otherwise) implements Judgement {
+    record Choice(Valuation condition, Valuation then, Valuation otherwise) implements Valuation {
         @Override
         public <R> R fold(Cases<R> cases) {
             R decides = condition.fold(cases);
@@ -88,33 +88,33 @@ public sealed interface Judgement {
     }
 
     /** The same of other parts. */
-    default Judgement with(Function<Expression, Expression> rewrite) {
+    default Valuation with(Function<Expression, Expression> rewrite) {
         return fold(
                 new Cases<>() {
                     @Override
-                    public Judgement part(Part part) {
+                    public Valuation part(Part part) {
                         Expression defined = rewrite.apply(part.defined());
                         return new Part(defined, rewrite.apply(part.value()));
                     }
 
                     @Override
-                    public Judgement not(Judgement operand) {
+                    public Valuation not(Valuation operand) {
                         return new Not(operand);
                     }
 
                     @Override
-                    public Judgement row(boolean all, Judgement left, Judgement right) {
+                    public Valuation row(boolean all, Valuation left, Valuation right) {
                         return new Row(all, left, right);
                     }
 
                     @Override
-                    public Judgement comparison(boolean equal, Judgement left, Judgement right) {
+                    public Valuation comparison(boolean equal, Valuation left, Valuation right) {
                         return new Comparison(equal, left, right);
                     }
 
                     @Override
-                    public Judgement choice(
-                            Judgement condition, Judgement then, Judgement otherwise) {
+                    public Valuation choice(
+                            Valuation condition, Valuation then, Valuation otherwise) {
                         return new Choice(condition, then, otherwise);
                     }
                 });
