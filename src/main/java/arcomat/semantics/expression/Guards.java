@@ -22,7 +22,8 @@ import java.util.List;
  * undefined, and a transition needs its guard to be true for certain; the conditions made here are
  * always defined and say just that. Interpreter and generated code evaluate these conditions and
  * nothing else, from left to right with {@code &&} and {@code ||} as in Java, so that they cannot
- * differ.
+ * differ. Where such a condition would be much longer than the guard, both {@linkplain
+ * Expression.Judged judge} the guard part by part, by the same functions.
  *
  * <p>Two-valued conditions read a port only where an {@link Expression.PortMatches} on their left
  * has found a message on it. Ports that always carry one ({@code <<total>>}) need no such test.

@@ -18,7 +18,7 @@ import java.util.List;
  * and which one are asked apart, and where one operand does not nest, the other one is looked at
  * once by each: a condition grows with the square of the depth.
  *
- * @param once whether what nests is asked for once
+ * @param once whether what nests, and cannot go wrong, is asked for once
  */
 record TwoValued(Formulas formulas, boolean once) {
     /** That an expression has a value, and this one. */
@@ -43,6 +43,11 @@ record TwoValued(Formulas formulas, boolean once) {
         return and(defined(e), truth ? value(e) : not(value(e)));
     }
 
+    /** What may go wrong is looked at as often, and in the order, that its meaning says. */
+    private boolean isAskedOnce(Expression e) {
+        return once && !e.divides();
+    }
+
     /**
      * One of two conditions, as the condition of a conditional decides, if it has a value. Of one
      * that may go wrong it is not asked once more, where it is true, whether it is false.
@@ -50,7 +55,7 @@ record TwoValued(Formulas formulas, boolean once) {
     private Expression chosen(
             Expression.Conditional choice, Expression then, Expression otherwise) {
         Expression condition = choice.condition();
-        if (!formulas.isStrict(condition) && (once || condition.divides())) {
+        if (!formulas.isStrict(condition) && (isAskedOnce(condition) || condition.divides())) {
             Expression decides = value(condition);
             return and(
                     defined(condition),
@@ -72,7 +77,7 @@ record TwoValued(Formulas formulas, boolean once) {
         if (e instanceof Expression.Conditional choice) {
             return chosen(choice, defined(choice.then()), defined(choice.otherwise()));
         }
-        if (Formulas.isLazy(e) && !once) {
+        if (Formulas.isLazy(e) && !isAskedOnce(e)) {
             return or(certainly(true, e), certainly(false, e));
         }
         if (Formulas.isLazy(e) && !Formulas.isNegation(e)) {
@@ -112,10 +117,10 @@ record TwoValued(Formulas formulas, boolean once) {
         if (e instanceof Expression.PortMatches matches) {
             return of(matches);
         }
-        if (Formulas.isLazy(e) && !once) {
+        if (Formulas.isLazy(e) && !isAskedOnce(e)) {
             return certainly(true, e);
         }
-        if (e instanceof Expression.Conditional choice && !once) {
+        if (e instanceof Expression.Conditional choice && !isAskedOnce(e)) {
             return new Expression.Conditional(
                     certainly(true, choice.condition()),
                     value(choice.then()),
@@ -123,7 +128,7 @@ record TwoValued(Formulas formulas, boolean once) {
                     choice.type(),
                     choice.span());
         }
-        if (Formulas.isNegation(e) && once) {
+        if (Formulas.isNegation(e) && isAskedOnce(e)) {
             return not(value(e.operands().get(0)));
         }
         return Formulas.isLazy(e)
@@ -136,7 +141,7 @@ record TwoValued(Formulas formulas, boolean once) {
         if (formulas.isStrict(both.left)) {
             return both.joined(true, certainly(true, both.left), value(both.right));
         }
-        if (!formulas.isStrict(both.right) || both.right.divides()) {
+        if (!formulas.isStrict(both.right)) {
             return certainly(true, e);
         }
         return both.all
