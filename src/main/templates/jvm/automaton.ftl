@@ -309,9 +309,25 @@ ${indent}${a.state} = ${initial.target};
 </#list>
 <#list a.conditions as some>
 
+<#if !some.judged>
     /** Whether that part of a long condition holds. */
     private boolean ${some.method}() {
         return ${some.condition};
     }
+<#elseif some.wrong == "">
+    /** What is known of that part of a condition. */
+    private int ${some.method}() {
+        return ${some.condition};
+    }
+<#else>
+    /** What is known of that part of a condition, which may go wrong. */
+    private int ${some.method}() {
+        try {
+            return ${some.condition};
+        } catch (arcomat.rt.ModelError wrong) {
+            return ${some.wrong};
+        }
+    }
+</#if>
 </#list>
 </#macro>

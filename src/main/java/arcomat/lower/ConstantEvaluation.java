@@ -47,6 +47,11 @@ final class ConstantEvaluation implements Expression.Cases<Value> {
         throw notConstant(matches);
     }
 
+    @Override
+    public Value judged(Expression.Judged judged) {
+        throw notConstant(judged);
+    }
+
     private static IllegalStateException notConstant(Expression expression) {
         return new IllegalStateException("not constant at " + expression.span());
     }

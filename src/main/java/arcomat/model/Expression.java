@@ -41,6 +41,8 @@ public sealed interface Expression {
         R isIn(IsIn isIn);
 
         R cast(Cast cast);
+
+        R judged(Judged judged);
     }
 
     /**
@@ -106,6 +108,11 @@ public sealed interface Expression {
         @Override
         default R cast(Cast cast) {
             return otherwise(cast);
+        }
+
+        @Override
+        default R judged(Judged judged) {
+            return otherwise(judged);
         }
     }
 
@@ -375,6 +382,32 @@ public sealed interface Expression {
         @Override
         public Expression withOperands(Function<Expression, Expression> rewrite) {
             return new Cast(rewrite.apply(operand), type, span);
+        }
+    }
+
+    /**
+     * That a condition which nests deeply has a value, which is true. It has a value itself, and
+     * each part of the condition is looked at once.
+     */
+    record Judged(Valuation valuation, Span span) implements Expression {
+        @Override
+        public Type type() {
+            return new Type.BooleanType();
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.judged(this);
+        }
+
+        @Override
+        public List<Expression> operands() {
+            return valuation.expressions();
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new Judged(valuation.with(rewrite), span);
         }
     }
 

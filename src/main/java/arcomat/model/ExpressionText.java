@@ -78,18 +78,26 @@ public final class ExpressionText implements Expression.Cases<ExpressionText.Wri
 
     @Override
     public Written binary(Expression.Binary binary) {
-        int level = level(binary.operator());
-        String left = within(binary.left(), level);
-        String right = within(binary.right(), level + 1);
-        return new Written(left + " " + binary.operator().sign() + " " + right, level);
+        return joined(binary.operator(), binary.left().match(FORMS), binary.right().match(FORMS));
+    }
+
+    private static Written joined(BinaryOperator operator, Written left, Written right) {
+        int level = level(operator);
+        String text = left.within(level) + " " + operator.sign() + " " + right.within(level + 1);
+        return new Written(text, level);
     }
 
     @Override
     public Written conditional(Expression.Conditional choice) {
-        String condition = within(choice.condition(), CONDITIONAL + 1);
-        return new Written(
-                condition + " ? " + of(choice.then()) + " : " + of(choice.otherwise()),
-                CONDITIONAL);
+        return chosen(
+                choice.condition().match(FORMS),
+                choice.then().match(FORMS),
+                choice.otherwise().match(FORMS));
+    }
+
+    private static Written chosen(Written condition, Written then, Written otherwise) {
+        String decides = condition.within(CONDITIONAL + 1);
+        return new Written(decides + " ? " + then.text + " : " + otherwise.text, CONDITIONAL);
     }
 
     @Override
@@ -105,6 +113,39 @@ public final class ExpressionText implements Expression.Cases<ExpressionText.Wri
                 ? cast.operand().match(FORMS)
                 : new Written(
                         "(" + cast.type().name() + ") " + within(cast.operand(), UNARY), UNARY);
+    }
+
+    /** The condition itself: that it is true is what a condition says. */
+    @Override
+    public Written judged(Expression.Judged judged) {
+        return judged.valuation().fold(new Judging());
+    }
+
+    private static final class Judging implements Valuation.Cases<Written> {
+        @Override
+        public Written part(Valuation.Part part) {
+            return part.value().match(FORMS);
+        }
+
+        @Override
+        public Written not(Written operand) {
+            return new Written("!" + operand.within(UNARY), UNARY);
+        }
+
+        @Override
+        public Written row(boolean all, Written left, Written right) {
+            return joined(all ? BinaryOperator.AND : BinaryOperator.OR, left, right);
+        }
+
+        @Override
+        public Written comparison(boolean equal, Written left, Written right) {
+            return joined(equal ? BinaryOperator.EQUAL : BinaryOperator.NOT_EQUAL, left, right);
+        }
+
+        @Override
+        public Written choice(Written condition, Written then, Written otherwise) {
+            return chosen(condition, then, otherwise);
+        }
     }
 
     private static String attribute(Expression.AttributeRead read) {

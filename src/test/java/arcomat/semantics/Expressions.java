@@ -56,8 +56,7 @@ public final class Expressions {
                 inner.map(Expressions::not),
                 Combinators.combine(connectives(), inner, inner).as(Expressions::binary),
                 Combinators.combine(comparisons(), numbers, numbers).as(Expressions::binary),
-                Combinators.combine(inner, inner, inner)
-                        .as((c, a, b) -> new Expression.Conditional(c, a, b, BOOLEAN, NOWHERE)),
+                Combinators.combine(inner, inner, inner).as(Expressions::choice),
                 Combinators.combine(numbers, numbers, numbers)
                         .as((e, a, b) -> new Expression.IsIn(e, List.of(a, b), NOWHERE)));
     }
@@ -80,7 +79,7 @@ public final class Expressions {
                         .as((c, a, b) -> new Expression.Conditional(c, a, b, INTEGER, NOWHERE)));
     }
 
-    private static Arbitrary<BinaryOperator> connectives() {
+    public static Arbitrary<BinaryOperator> connectives() {
         return Arbitraries.of(
                 BinaryOperator.AND,
                 BinaryOperator.OR,
@@ -97,6 +96,10 @@ public final class Expressions {
 
     public static Expression binary(BinaryOperator operator, Expression left, Expression right) {
         return new Expression.Binary(operator, left, right, BOOLEAN, NOWHERE);
+    }
+
+    public static Expression choice(Expression condition, Expression then, Expression otherwise) {
+        return new Expression.Conditional(condition, then, otherwise, BOOLEAN, NOWHERE);
     }
 
     /** When a guard is true; false where it is false or undefined. */

@@ -8,6 +8,7 @@ import arcomat.benchmarks.compositions.DiskGroup;
 import arcomat.benchmarks.data.DataGroup;
 import arcomat.benchmarks.editor.EditorGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
+import arcomat.benchmarks.guards.GuardsGroup;
 import arcomat.benchmarks.incremental.IncrementalGroup;
 import arcomat.benchmarks.measure.Baseline;
 import arcomat.benchmarks.measure.Goal;
@@ -32,8 +33,8 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world,editor,
- * compositions,disk,data}.
+ * --forks N --groups step,network,frontend,guards,incremental,cold,analysis,build,world,
+ * editor,compositions,disk,data}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -41,6 +42,7 @@ public final class Main {
                     new StepGroup(),
                     new NetworkGroup(),
                     new FrontEndGroup(),
+                    new GuardsGroup(),
                     new IncrementalGroup(),
                     new ColdGroup(),
                     new AnalysisGroup(),

@@ -98,7 +98,7 @@ public record AutomatonPlan(
         for (Blocks.Group group : new Blocks(context, automaton, random, traced).groups()) {
             Optional<Block> block =
                     group.body().map(body -> block(context, automaton, group, traced));
-            Expression condition = condition(component, automaton, group, block);
+            Expression condition = condition(context, automaton, group, block);
             checks |= RuntimeChecks.dividesAnywhere(condition);
             Automaton.Transition transition = group.transitions().get(0);
             String place = Fault.place(component, automaton, transition);
@@ -138,8 +138,11 @@ public record AutomatonPlan(
 
     /** When a transition is enabled, or what has to hold before statements are looked at. */
     private static Expression condition(
-            Component component, Automaton automaton, Blocks.Group group, Optional<Block> block) {
-        Guards guards = new Guards(component.profile());
+            FileContext context, Automaton automaton, Blocks.Group group, Optional<Block> block) {
+        Component component = context.component();
+        boolean judges = context.expressions().judges();
+        Guards guards =
+                judges ? Guards.judging(component.profile()) : new Guards(component.profile());
         Automaton.Transition first = group.transitions().get(0);
         if (block.isEmpty() && first.isWhole()) {
             throw new OnlyStatements(component, automaton.states().get(first.source()));

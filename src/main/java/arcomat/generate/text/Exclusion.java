@@ -20,7 +20,8 @@ public final class Exclusion {
                     one -> other -> isContradicts(one, other),
                     one -> other -> other instanceof Formula.Test two && boundsContradict(one, two),
                     not -> other -> not.operand().equals(other),
-                    row -> other -> false);
+                    row -> other -> false,
+                    judged -> other -> false);
 
     private Exclusion() {}
 

@@ -24,6 +24,8 @@ import java.util.Map;
 public final class ExpressionWriter implements Expression.Cases<Text> {
     private static final int LONGEST_ROW = 200;
     private static final String CALL = "call";
+    private static final String CONDITIONAL = "conditional";
+    private static final String JUDGED = "judged.";
     private static final String TRUNCATE = "truncate";
     private static final Type BOOLEAN = new Type.BooleanType();
 
@@ -78,6 +80,11 @@ public final class ExpressionWriter implements Expression.Cases<Text> {
         return new ExpressionWriter(names, references, members, guarded, known, place);
     }
 
+    /** Where these expressions stand. */
+    String place() {
+        return place;
+    }
+
     /** What is to be looked out for in these expressions. */
     public RuntimeChecks checks() {
         return checks;
@@ -95,7 +102,8 @@ public final class ExpressionWriter implements Expression.Cases<Text> {
                         Formula.Is::text,
                         Formula.Test::text,
                         not -> form("not", BOOLEAN, of(not.operand())),
-                        row -> joined(row.all(), row.operands().stream().map(this::of).toList())));
+                        row -> joined(row.all(), row.operands().stream().map(this::of).toList()),
+                        judged -> of(judged.condition())));
     }
 
     /** A literal. */
@@ -200,7 +208,7 @@ public final class ExpressionWriter implements Expression.Cases<Text> {
     @Override
     public Text conditional(Expression.Conditional choice) {
         return form(
-                "conditional",
+                CONDITIONAL,
                 choice.type(),
                 of(choice.condition()),
                 of(choice.then()),
@@ -264,6 +272,32 @@ public final class ExpressionWriter implements Expression.Cases<Text> {
         return operands.stream()
                 .reduce((a, b) -> form(all ? "and" : "or", BOOLEAN, a, b))
                 .orElseGet(() -> of(new Value.BooleanValue(all), BOOLEAN));
+    }
+
+    /** Has methods of its own, which are called by whoever asks for it. */
+    @Override
+    public Text judged(Expression.Judged judged) {
+        throw new AssertionError(judged);
+    }
+
+    /** Whether the target has words for conditions that are judged, and for their methods. */
+    public boolean judges() {
+        return calls() && language.entry("expression.judged.true").isPresent();
+    }
+
+    /** What is known of a condition, by what is known of its operands. */
+    public Text judged(String form, Text... operands) {
+        return form(JUDGED + form, BOOLEAN, operands);
+    }
+
+    /** That what is known of a condition says that it is true, or an error. */
+    public Text judgedTrue(Text known) {
+        return language.express(JUDGED + "true", BOOLEAN, Map.of("place", literal(place)), known);
+    }
+
+    /** One of two texts. */
+    public Text choice(Text condition, Text then, Text otherwise) {
+        return form(CONDITIONAL, BOOLEAN, condition, then, otherwise);
     }
 
     /** A value checked against the range of what it is for. */

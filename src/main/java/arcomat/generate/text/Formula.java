@@ -1,6 +1,7 @@
 package arcomat.generate.text;
 
 import arcomat.generate.language.Text;
+import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
 
@@ -30,7 +31,8 @@ public sealed interface Formula {
             Function<Is, R> is,
             Function<Test, R> test,
             Function<Not, R> not,
-            Function<Row, R> row) {}
+            Function<Row, R> row,
+            Function<Judged, R> judged) {}
 
     /** A port carries a message, or carries none. */
     record Carries(Port port, boolean something) implements Formula {
@@ -106,6 +108,18 @@ public sealed interface Formula {
         }
     }
 
+    /**
+     * A condition that nests deeply is true.
+     *
+     * @param place where it goes wrong if it does
+     */
+    record Judged(Expression.Judged condition, String place) implements Formula {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.judged().apply(this);
+        }
+    }
+
     /** A number is at least {@code low} and at most {@code high}. */
     record Bounds(String number, long low, long high) {
         boolean excludes(Bounds other) {
@@ -126,7 +140,8 @@ public sealed interface Formula {
                         is -> false,
                         Test::mayFail,
                         not -> not.operand().mayFail(),
-                        row -> row.operands().stream().anyMatch(Formula::mayFail)));
+                        row -> row.operands().stream().anyMatch(Formula::mayFail),
+                        judged -> RuntimeChecks.dividesAnywhere(judged.condition())));
     }
 
     /** The conjuncts that are looked at before anything may go wrong. */

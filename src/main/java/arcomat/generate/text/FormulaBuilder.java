@@ -116,6 +116,11 @@ public final class FormulaBuilder implements Expression.Cases<Formula> {
         return test(cast);
     }
 
+    @Override
+    public Formula judged(Expression.Judged judged) {
+        return new Formula.Judged(judged, text.place());
+    }
+
     /**
      * Of whole numbers one is less than the other one, or it is not; what is no number is neither.
      */

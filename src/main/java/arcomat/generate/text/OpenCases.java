@@ -85,7 +85,8 @@ final class OpenCases {
                             return !test.mayFail();
                         },
                         not -> understands(not.operand()),
-                        row -> row.operands().stream().allMatch(this::understands)));
+                        row -> row.operands().stream().allMatch(this::understands),
+                        judged -> false));
     }
 
     private boolean understands(Formula.Is is) {
@@ -180,7 +181,10 @@ final class OpenCases {
                         row ->
                                 row.all()
                                         ? hold(row.operands(), in)
-                                        : row.operands().stream().anyMatch(o -> holds(o, in))));
+                                        : row.operands().stream().anyMatch(o -> holds(o, in)),
+                        judged -> {
+                            throw new AssertionError(judged);
+                        }));
     }
 
     private boolean isPresent(Port port, Map<String, Object> in) {

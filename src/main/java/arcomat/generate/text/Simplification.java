@@ -92,7 +92,8 @@ public final class Simplification {
                         Formula.Is::negation,
                         Formula.Not::new,
                         Formula.Not::operand,
-                        this::negation));
+                        this::negation,
+                        Formula.Not::new));
     }
 
     /** Alternatives that are only about messages are all excluded, others as a whole. */
@@ -118,7 +119,8 @@ public final class Simplification {
                         is -> is,
                         test -> test,
                         not -> not(under(present, not.operand())),
-                        row -> under(present, row)));
+                        row -> under(present, row),
+                        judged -> judged));
     }
 
     /** A row has been reduced when it was made: it stays as it is where nothing new is known. */
@@ -138,7 +140,8 @@ public final class Simplification {
                         is -> false,
                         test -> false,
                         not -> asksForKnown(present, not.operand()),
-                        row -> row.operands().stream().anyMatch(o -> asksForKnown(present, o))));
+                        row -> row.operands().stream().anyMatch(o -> asksForKnown(present, o)),
+                        judged -> false));
     }
 
     private boolean isCertain(Port port, Set<String> present) {
@@ -153,7 +156,8 @@ public final class Simplification {
                         is -> is.equal() ? Set.of(is.port().name()) : Set.of(),
                         test -> Set.of(),
                         not -> Set.of(),
-                        Simplification::presentIn));
+                        Simplification::presentIn,
+                        judged -> Set.of()));
     }
 
     private static Set<String> presentIn(Formula.Row row) {

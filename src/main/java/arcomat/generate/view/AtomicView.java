@@ -159,8 +159,13 @@ public record AtomicView(
      */
     public record ChunkView(String method, List<TransitionView> transitions, boolean last) {}
 
-    /** A part of a condition that is too long for one method. */
-    public record ConditionView(String method, String condition) {}
+    /**
+     * A part of a condition that is too long for one method.
+     *
+     * @param judged whether it says what is known of it, or else whether it holds
+     * @param wrong what is known of it where it goes wrong; empty where that is an error
+     */
+    public record ConditionView(String method, String condition, boolean judged, String wrong) {}
 
     /**
      * What happens where no transition is enabled.

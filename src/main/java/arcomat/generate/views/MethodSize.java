@@ -16,10 +16,14 @@ import java.util.List;
 public final class MethodSize {
     static final int MOST = 6000;
 
+    private static final int PER_WORD = 8;
+
+    /** What an expression may have that leaves room for others. */
+    static final int MOST_WORDS = MOST / PER_WORD;
+
     /** Calls with an object that is reached by three fields, in {@link #MOST} bytes. */
     static final int MOST_CALLS = 300;
 
-    private static final int PER_WORD = 8;
     private static final int PER_TRANSITION = 24;
     private static final int PER_STATE = 12;
 
@@ -27,15 +31,6 @@ public final class MethodSize {
 
     static boolean fits(List<TransitionView> transitions) {
         return transitions.stream().mapToInt(MethodSize::of).sum() <= MOST;
-    }
-
-    /** Whether an expression leaves room for others in a method. */
-    static boolean fits(String text) {
-        return of(text) <= MOST;
-    }
-
-    static int of(String text) {
-        return words(text) * PER_WORD;
     }
 
     /** How many states share a method; 0 where all of them do. */

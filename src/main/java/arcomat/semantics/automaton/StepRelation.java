@@ -104,7 +104,7 @@ public final class StepRelation {
             byState.add(new ArrayList<>(2));
             attentions.add(new AbstractionOfInputs(component, scope));
         }
-        Guards guards = new Guards(component.profile());
+        Guards guards = Guards.judging(component.profile());
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition transition = automaton.transitions().get(i);
             Expression enabledWhen = enabledWhen(guards, transition);

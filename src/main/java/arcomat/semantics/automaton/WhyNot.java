@@ -61,7 +61,7 @@ public final class WhyNot {
 
     public static WhyNot of(StepRelation relation) {
         WhyNot whyNot = new WhyNot(relation);
-        Guards guards = new Guards(relation.component().profile());
+        Guards guards = Guards.judging(relation.component().profile());
         for (Automaton.Transition transition : relation.automaton().transitions()) {
             whyNot.asked.add(
                     guards.clauses(relation.automaton(), transition).stream()

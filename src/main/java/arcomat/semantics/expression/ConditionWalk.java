@@ -38,6 +38,11 @@ abstract class ConditionWalk {
         }
 
         @Override
+        public Runnable judged(Expression.Judged judged) {
+            return () -> judged.operands().forEach(ConditionWalk.this::condition);
+        }
+
+        @Override
         public Runnable otherwise(Expression e) {
             return () -> value(e);
         }

@@ -3,7 +3,9 @@ package arcomat.semantics.expression;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
+import arcomat.model.Valuation;
 import arcomat.model.Value;
+import arcomat.rt.Kleene;
 
 import org.jspecify.annotations.Nullable;
 
@@ -262,5 +264,68 @@ public final class Evaluation implements Expression.Cases<Term> {
                             + Arithmetic.text(right, binary.right().type()));
         }
         return Arithmetic.calculate(BinaryOperator.PLUS, left, right, binary.type());
+    }
+
+    @Override
+    public Term judged(Expression.Judged judged) {
+        Knowledge all = judged.valuation().fold(new Judging());
+        return (ports, variables) -> {
+            int known = all.in(ports, variables);
+            if (Kleene.isWrong(known)) {
+                throw Fault.divisionByZero();
+            }
+            return truth(Kleene.isTrue(known, ""));
+        };
+    }
+
+    /** What is known of a condition, as {@link Kleene} counts it. */
+    @FunctionalInterface
+    private interface Knowledge {
+        int in(Value[] ports, Value[] variables);
+    }
+
+    private final class Judging implements Valuation.Cases<Knowledge> {
+        @Override
+        public Knowledge part(Valuation.Part part) {
+            Term defined = term(part.defined());
+            Term value = term(part.value());
+            Knowledge known = tried((p, v) -> Kleene.of(value.holds(p, v)), Kleene.DEFINED_WRONG);
+            return tried(
+                    (p, v) -> defined.holds(p, v) ? known.in(p, v) : Kleene.UNDEFINED,
+                    Kleene.WRONG);
+        }
+
+        private static Knowledge tried(Knowledge knowledge, int wrong) {
+            return (ports, variables) -> {
+                try {
+                    return knowledge.in(ports, variables);
+                } catch (Fault divisionByZero) {
+                    return wrong;
+                }
+            };
+        }
+
+        @Override
+        public Knowledge not(Knowledge operand) {
+            return (ports, variables) -> Kleene.not(operand.in(ports, variables));
+        }
+
+        @Override
+        public Knowledge row(boolean all, Knowledge left, Knowledge right) {
+            return all
+                    ? (p, v) -> Kleene.and(left.in(p, v), right.in(p, v))
+                    : (p, v) -> Kleene.or(left.in(p, v), right.in(p, v));
+        }
+
+        @Override
+        public Knowledge comparison(boolean equal, Knowledge left, Knowledge right) {
+            Knowledge same = (p, v) -> Kleene.equal(left.in(p, v), right.in(p, v));
+            return equal ? same : not(same);
+        }
+
+        @Override
+        public Knowledge choice(Knowledge condition, Knowledge then, Knowledge otherwise) {
+            return (p, v) -> Kleene.choose(condition.in(p, v), then.in(p, v), otherwise.in(p, v));
+        }
     }
 }

@@ -12,7 +12,6 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.ExpressionText;
 import arcomat.model.Type;
-import arcomat.semantics.expression.DeepConditions.Connective;
 import arcomat.semantics.value.TooManyWays;
 
 import java.util.ArrayList;
@@ -23,27 +22,49 @@ import java.util.List;
  * undefined, and a transition needs its guard to be true for certain; the conditions made here are
  * always defined and say just that. Interpreter and generated code evaluate these conditions and
  * nothing else, from left to right with {@code &&} and {@code ||} as in Java, so that they cannot
- * differ.
+ * differ. Where such a condition would be much longer than the guard, both {@linkplain
+ * Expression.Judged judge} the guard part by part, by the same functions.
  *
  * <p>Two-valued conditions read a port only where an {@link Expression.PortMatches} on their left
  * has found a message on it. Ports that always carry one ({@code <<total>>}) need no such test.
  */
 public final class Guards {
+    /** How many parts a condition may have that stays as a person would write it. */
+    private static final long LONGEST = 5_000;
+
+    /** How many parts it may have in any case where conditions may be judged. */
+    private static final long SHORT = 500;
+
+    /** How many parts a longer one may have for each that is written. */
+    private static final long PARTS_PER_PART = 8;
+
     private final Formulas formulas;
-    private final DeepConditions deep;
+    private final TwoValued plain;
+    private final TwoValued once;
+    private final long longest;
+    private final boolean judges;
 
     public Guards(Component.Profile profile) {
-        this(profile, DeepConditions.LONGEST);
+        this(profile, LONGEST, false);
+    }
+
+    /**
+     * Conditions that grow only as the guards do: what nests so that it would stand in a condition
+     * many times is {@linkplain Expression.Judged judged}.
+     */
+    public static Guards judging(Component.Profile profile) {
+        return new Guards(profile, LONGEST, true);
     }
 
     /**
      * @param longest of how many parts a condition is made as a person would write it
      */
-    Guards(Component.Profile profile, long longest) {
+    Guards(Component.Profile profile, long longest, boolean judges) {
+        this.longest = longest;
+        this.judges = judges;
         formulas = new Formulas(profile);
-        deep =
-                new DeepConditions(
-                        formulas, matches -> twoValued((Expression.PortMatches) matches), longest);
+        plain = new TwoValued(formulas, false);
+        once = new TwoValued(formulas, true);
     }
 
     /**
@@ -210,104 +231,15 @@ public final class Guards {
 
     /** That a condition has a value, which is true. */
     Expression isTrue(Expression guard) {
-        return deep.areFor(guard) ? deep.certainly(true, guard) : certainlyTrue(guard);
+        long parts = ConditionLength.of(guard, formulas).truth();
+        if (judges && parts > SHORT && parts > PARTS_PER_PART * ConditionLength.parts(guard)) {
+            return judged(guard);
+        }
+        boolean asksOnce = !judges && parts > longest;
+        return (asksOnce ? once : plain).certainly(true, guard);
     }
 
-    private Expression certainlyTrue(Expression e) {
-        return certainly(true, e);
-    }
-
-    /** That an expression has a value, and this one. */
-    private Expression certainly(boolean truth, Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            return truth ? twoValued(matches) : not(twoValued(matches));
-        }
-        if (formulas.isStrict(e)) {
-            return and(formulas.present(e), truth ? Formulas.folded(e) : not(e));
-        }
-        if (Formulas.isNegation(e)) {
-            return certainly(!truth, e.operands().get(0));
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return chosen(
-                    choice, certainly(truth, choice.then()), certainly(truth, choice.otherwise()));
-        }
-        if (Formulas.isLazy(e)) {
-            Connective both = Connective.of((Expression.Binary) e);
-            return both.joined(
-                    truth, certainly(truth, both.left()), certainly(truth, both.right()));
-        }
-        return and(defined(e), truth ? whereDefined(e) : not(whereDefined(e)));
-    }
-
-    /** Of a condition that is true it is not asked once more whether it is false. */
-    private Expression chosen(
-            Expression.Conditional choice, Expression then, Expression otherwise) {
-        Expression condition = choice.condition();
-        if (!formulas.isStrict(condition) && condition.divides()) {
-            return and(
-                    defined(condition),
-                    DeepConditions.choice(whereDefined(condition), then, otherwise, condition));
-        }
-        return or(and(certainlyTrue(condition), then), and(certainly(false, condition), otherwise));
-    }
-
-    /** When an expression of any type has a value. */
-    private Expression defined(Expression e) {
-        if (formulas.isStrict(e)) {
-            return formulas.present(e);
-        }
-        if (e instanceof Expression.PortMatches) {
-            return TRUE;
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return chosen(choice, defined(choice.then()), defined(choice.otherwise()));
-        }
-        if (Formulas.isLazy(e)) {
-            return or(certainlyTrue(e), certainly(false, e));
-        }
-        Expression all = TRUE;
-        for (Expression operand : e.operands()) {
-            all = and(all, defined(operand));
-        }
-        return all;
-    }
-
-    /** Agrees with the expression where that is defined; harmless, but anything, elsewhere. */
-    private Expression whereDefined(Expression e) {
-        if (formulas.isStrict(e)) {
-            return e;
-        }
-        if (e instanceof Expression.PortMatches matches) {
-            return twoValued(matches);
-        }
-        if (Formulas.isLazy(e) && e.type() instanceof Type.BooleanType) {
-            return certainlyTrue(e);
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return new Expression.Conditional(
-                    certainlyTrue(choice.condition()),
-                    whereDefined(choice.then()),
-                    whereDefined(choice.otherwise()),
-                    choice.type(),
-                    choice.span());
-        }
-        return e.withOperands(this::whereDefined);
-    }
-
-    /** Values of a pattern that read an absent port match nothing. */
-    private Expression twoValued(Expression.PortMatches matches) {
-        if (!(matches.pattern() instanceof Automaton.OneOf oneOf)
-                || formulas.present(matches).equals(TRUE)) {
-            return matches;
-        }
-        Expression any = FALSE;
-        for (Expression value : oneOf.values()) {
-            Expression test =
-                    new Expression.PortMatches(
-                            matches.port(), new Automaton.OneOf(List.of(value)), matches.span());
-            any = or(any, and(defined(value), test));
-        }
-        return any;
+    Expression judged(Expression guard) {
+        return new Expression.Judged(new Judging(formulas, plain).of(guard), guard.span());
     }
 }

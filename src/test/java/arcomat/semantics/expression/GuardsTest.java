@@ -24,10 +24,12 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tuple;
 
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.function.Supplier;
 
 class GuardsTest {
     private static final Value TRUE = new Value.BooleanValue(true);
@@ -35,11 +37,43 @@ class GuardsTest {
     private static final Guards GUARDS = new Guards(Profile.TIME_SYNCHRONOUS);
 
     /** Takes every guard for one that nests deeply. */
-    private static final Guards DEEP = new Guards(Profile.TIME_SYNCHRONOUS, 0);
+    private static final Guards DEEP = new Guards(Profile.TIME_SYNCHRONOUS, 0, false);
 
     @Provide
     Arbitrary<Expression> guards() {
         return Expressions.guards();
+    }
+
+    /** Guards that may go wrong. */
+    @Provide
+    Arbitrary<Expression> nests() {
+        Arbitrary<Expression> wide = Expressions.guards().map(e -> e.rewritten(this::dividing));
+        return Arbitraries.frequencyOf(Tuple.of(1, wide), Tuple.of(2, nests(3)));
+    }
+
+    private Arbitrary<Expression> nests(int depth) {
+        Expression some = binary(BinaryOperator.LESS, number("1"), dividing(read("m")));
+        Expression any = binary(BinaryOperator.LESS, number("1"), dividing(read("n")));
+        Expression silent = Expressions.matches("p", new Automaton.Absent());
+        Arbitrary<Expression> leaves = Arbitraries.of(read("p"), read("q"), some, any, silent);
+        if (depth == 0) {
+            return leaves;
+        }
+        Arbitrary<Expression> inner = nests(depth - 1);
+        return Arbitraries.oneOf(
+                leaves,
+                inner.map(Expressions::not),
+                Combinators.combine(Expressions.connectives(), inner, inner)
+                        .as(Expressions::binary),
+                Combinators.combine(inner, inner, inner).as(Expressions::choice));
+    }
+
+    /** Numbers that come by ports divide another one. */
+    private Expression dividing(Expression e) {
+        return e instanceof Expression.PortRead read && read.type().isNumber()
+                ? new Expression.Binary(
+                        BinaryOperator.DIVIDE, number("2"), read, read.type(), NOWHERE)
+                : e;
     }
 
     @Provide
@@ -111,6 +145,31 @@ class GuardsTest {
                 assertThat(new StaleReading(letter, stale).holds(condition))
                         .isEqualTo(TRUE.equals(strict));
             }
+        }
+    }
+
+    /** Where it goes wrong, both do, also where a port still holds an old message. */
+    @Property(seed = "4", tries = 3000, edgeCases = EdgeCasesMode.NONE)
+    void whatIsJudgedOrAskedOnceIsWhatIsAsked(
+            @ForAll("nests") Expression guard, @ForAll("letters") Value[] letter) {
+        for (Expression each : List.of(guard, not(guard))) {
+            Object asked = outcome(() -> evaluate(GUARDS.isTrue(each), letter));
+            for (Expression same : List.of(GUARDS.judged(each), DEEP.isTrue(each))) {
+                assertThat(outcome(() -> evaluate(same, letter))).isEqualTo(asked);
+                for (boolean stale : new boolean[] {false, true}) {
+                    StaleReading reading = new StaleReading(letter, stale);
+                    assertThat(outcome(() -> new Value.BooleanValue(reading.holds(same))))
+                            .isEqualTo(asked);
+                }
+            }
+        }
+    }
+
+    private static Object outcome(Supplier<Value> evaluation) {
+        try {
+            return evaluation.get();
+        } catch (Fault wrong) {
+            return "wrong";
         }
     }
 

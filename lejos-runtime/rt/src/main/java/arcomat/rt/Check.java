@@ -83,7 +83,7 @@ public final class Check {
         return number != number ? 0 : (long) number;
     }
 
-    private static ModelError byZero(String place) {
+    static ModelError byZero(String place) {
         return new ModelError(place + ": division by zero");
     }
 }

@@ -131,6 +131,12 @@ public record Hazard(UnaryOperator<Expression> here) implements Expression.Cases
         return inAll(cast);
     }
 
+    /** Only what runs is judged. */
+    @Override
+    public Expression judged(Expression.Judged judged) {
+        throw new AssertionError(judged);
+    }
+
     /** All operands are evaluated, and then it itself. */
     private Expression inAll(Expression e) {
         return or(inAny(e.operands()), here.apply(e));

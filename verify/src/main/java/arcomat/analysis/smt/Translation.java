@@ -143,6 +143,12 @@ final class Translation implements Expression.Cases<Term> {
         return oneOf(isIn.element(), isIn.set());
     }
 
+    /** Only what runs is judged. */
+    @Override
+    public Term judged(Expression.Judged judged) {
+        throw new AssertionError(judged);
+    }
+
     @Override
     public Term cast(Expression.Cast cast) {
         if (cast.type().equals(cast.operand().type())) {

@@ -171,6 +171,11 @@ record BitVectorTerms(Component component, List<Value> arguments, int step)
     }
 
     @Override
+    public Coded judged(Expression.Judged judged) {
+        throw new AssertionError(judged);
+    }
+
+    @Override
     public Coded cast(Expression.Cast cast) {
         Coded operand = of(cast.operand());
         Type from = cast.operand().type();

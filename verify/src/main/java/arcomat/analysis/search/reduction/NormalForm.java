@@ -165,6 +165,12 @@ record NormalForm(UnaryOperator<String> inputs) implements Expression.Cases<Stri
         return joined("in", of(isIn.element()), sorted(all(isIn.set())));
     }
 
+    /** No model is written with one. */
+    @Override
+    public String judged(Expression.Judged judged) {
+        throw new AssertionError(judged);
+    }
+
     @Override
     public String cast(Expression.Cast cast) {
         return joined("cast", cast.type(), of(cast.operand()));

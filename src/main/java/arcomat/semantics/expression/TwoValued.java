@@ -4,76 +4,27 @@ import static arcomat.semantics.expression.Formulas.and;
 import static arcomat.semantics.expression.Formulas.not;
 import static arcomat.semantics.expression.Formulas.or;
 
+import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 
-import java.util.IdentityHashMap;
-import java.util.Map;
-import java.util.function.UnaryOperator;
+import java.util.List;
 
 /**
- * Two-valued conditions for guards that nest: conditions of conditionals, and connectives that are
- * compared. What has a value and what that is are asked apart, and each looks once at what nests.
- * So a condition grows with the square of the depth; where it is asked for both truth values of
- * each part, as {@link Guards} does of others, it doubles with each level.
+ * Two-valued conditions of expressions that may be undefined. As a person writes them, both truth
+ * values of each part are asked for where connectives are compared and where conditionals decide,
+ * and a condition doubles with each level of such a nest. Asked once, whether a part has a value
+ * and which one are asked apart, and where one operand does not nest, the other one is looked at
+ * once by each: a condition grows with the square of the depth.
  *
- * @param matching two-valued, what a port is asked for
- * @param longest of how many parts other conditions may be
+ * @param once whether what nests, and cannot go wrong, is asked for once
  */
-record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, long longest) {
-    /** What is longer, in parts, is made here; what is not stays as a person would write it. */
-    static final long LONGEST = 5_000;
-
-    /** How long the conditions that are made by asking for both truth values would be. */
-    private record Lengths(long truth, long defined, long value) {
-        static long sum(long one, long another) {
-            return Math.min(LONGEST + 1, one + another);
-        }
-    }
-
-    /** Whether a guard nests so deeply. */
-    boolean areFor(Expression guard) {
-        return lengths(guard, new IdentityHashMap<>()).truth > longest;
-    }
-
-    private Lengths lengths(Expression e, Map<Expression, Lengths> known) {
-        Lengths lengths = known.get(e);
-        if (lengths == null) {
-            lengths = computed(e, known);
-            known.put(e, lengths);
-        }
-        return lengths;
-    }
-
-    private Lengths computed(Expression e, Map<Expression, Lengths> known) {
-        long truth = 1;
-        long defined = 1;
-        long value = 1;
-        for (Expression operand : e.operands()) {
-            Lengths part = lengths(operand, known);
-            truth = Lengths.sum(truth, part.truth);
-            defined = Lengths.sum(defined, part.defined);
-            value = Lengths.sum(value, part.value);
-        }
-        if (e instanceof Expression.Conditional choice) {
-            long condition = lengths(choice.condition(), known).truth;
-            truth = Lengths.sum(truth, condition);
-            defined = Lengths.sum(defined, Lengths.sum(condition, condition));
-            value = Lengths.sum(value, condition);
-        } else if (Formulas.isLazy(e)) {
-            defined = Lengths.sum(truth, truth);
-            value = truth;
-        } else if (!Formulas.isNegation(e)) {
-            truth = Lengths.sum(defined, value);
-        }
-        return new Lengths(truth, defined, value);
-    }
-
+record TwoValued(Formulas formulas, boolean once) {
     /** That an expression has a value, and this one. */
     Expression certainly(boolean truth, Expression e) {
-        if (e instanceof Expression.PortMatches) {
-            return truth ? matching.apply(e) : not(matching.apply(e));
+        if (e instanceof Expression.PortMatches matches) {
+            return truth ? of(matches) : not(of(matches));
         }
         if (formulas.isStrict(e)) {
             return and(formulas.present(e), truth ? Formulas.folded(e) : not(e));
@@ -92,25 +43,31 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
         return and(defined(e), truth ? value(e) : not(value(e)));
     }
 
-    /** One of two conditions, as the condition of a conditional decides, if it has a value. */
+    /** What may go wrong is looked at as often, and in the order, that its meaning says. */
+    private boolean isAskedOnce(Expression e) {
+        return once && !e.divides();
+    }
+
+    /**
+     * One of two conditions, as the condition of a conditional decides, if it has a value. Of one
+     * that may go wrong it is not asked once more, where it is true, whether it is false.
+     */
     private Expression chosen(
             Expression.Conditional choice, Expression then, Expression otherwise) {
         Expression condition = choice.condition();
-        return formulas.isStrict(condition)
-                ? or(
-                        and(certainly(true, condition), then),
-                        and(certainly(false, condition), otherwise))
-                : and(defined(condition), choice(value(condition), then, otherwise, condition));
-    }
-
-    static Expression choice(
-            Expression condition, Expression then, Expression otherwise, Expression because) {
-        return new Expression.Conditional(
-                condition, then, otherwise, new Type.BooleanType(), because.span());
+        if (!formulas.isStrict(condition) && (isAskedOnce(condition) || condition.divides())) {
+            Expression decides = value(condition);
+            return and(
+                    defined(condition),
+                    new Expression.Conditional(
+                            decides, then, otherwise, new Type.BooleanType(), condition.span()));
+        }
+        return or(
+                and(certainly(true, condition), then), and(certainly(false, condition), otherwise));
     }
 
     /** When an expression of any type has a value. */
-    private Expression defined(Expression e) {
+    Expression defined(Expression e) {
         if (formulas.isStrict(e)) {
             return formulas.present(e);
         }
@@ -120,14 +77,13 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
         if (e instanceof Expression.Conditional choice) {
             return chosen(choice, defined(choice.then()), defined(choice.otherwise()));
         }
+        if (Formulas.isLazy(e) && !isAskedOnce(e)) {
+            return or(certainly(true, e), certainly(false, e));
+        }
         if (Formulas.isLazy(e) && !Formulas.isNegation(e)) {
             return defined(Connective.of((Expression.Binary) e), e);
         }
-        Expression all = Formulas.TRUE;
-        for (Expression operand : e.operands()) {
-            all = and(all, defined(operand));
-        }
-        return all;
+        return e.operands().stream().map(this::defined).reduce(Formulas.TRUE, Formulas::and);
     }
 
     /** An operand decides, or both have a value: what nests is asked for once. */
@@ -153,15 +109,26 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
         return truth ? value(e) : not(value(e));
     }
 
-    /** Agrees with the expression where that is defined, and is asked for nowhere else. */
-    private Expression value(Expression e) {
+    /** Agrees with the expression where that is defined; harmless, but anything, elsewhere. */
+    Expression value(Expression e) {
         if (formulas.isStrict(e)) {
             return e;
         }
-        if (e instanceof Expression.PortMatches) {
-            return matching.apply(e);
+        if (e instanceof Expression.PortMatches matches) {
+            return of(matches);
         }
-        if (Formulas.isNegation(e)) {
+        if (Formulas.isLazy(e) && !isAskedOnce(e)) {
+            return certainly(true, e);
+        }
+        if (e instanceof Expression.Conditional choice && !isAskedOnce(e)) {
+            return new Expression.Conditional(
+                    certainly(true, choice.condition()),
+                    value(choice.then()),
+                    value(choice.otherwise()),
+                    choice.type(),
+                    choice.span());
+        }
+        if (Formulas.isNegation(e) && isAskedOnce(e)) {
             return not(value(e.operands().get(0)));
         }
         return Formulas.isLazy(e)
@@ -174,7 +141,7 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
         if (formulas.isStrict(both.left)) {
             return both.joined(true, certainly(true, both.left), value(both.right));
         }
-        if (!formulas.isStrict(both.right) || both.right.divides()) {
+        if (!formulas.isStrict(both.right)) {
             return certainly(true, e);
         }
         return both.all
@@ -182,12 +149,28 @@ record DeepConditions(Formulas formulas, UnaryOperator<Expression> matching, lon
                 : or(certainly(true, both.right), value(both.left));
     }
 
+    /** Values of a pattern that read an absent port match nothing. */
+    private Expression of(Expression.PortMatches matches) {
+        if (!(matches.pattern() instanceof Automaton.OneOf oneOf)
+                || formulas.present(matches).equals(Formulas.TRUE)) {
+            return matches;
+        }
+        Expression any = Formulas.FALSE;
+        for (Expression value : oneOf.values()) {
+            Expression test =
+                    new Expression.PortMatches(
+                            matches.port(), new Automaton.OneOf(List.of(value)), matches.span());
+            any = or(any, and(defined(value), test));
+        }
+        return any;
+    }
+
     /**
      * Two operands of {@code &&} or {@code ||}.
      *
      * @param all whether both have to be true
      */
-    record Connective(boolean all, Expression left, Expression right) {
+    private record Connective(boolean all, Expression left, Expression right) {
         static Connective of(Expression.Binary e) {
             boolean implies = e.operator() == BinaryOperator.IMPLIES;
             return new Connective(

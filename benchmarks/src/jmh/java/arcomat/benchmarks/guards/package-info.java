@@ -1,0 +1,2 @@
+/** What guards cost that nest deeply. */
+package arcomat.benchmarks.guards;
