@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -105,9 +106,13 @@ final class EventTime {
         StoreWalk walk = new StoreWalk(code, weights, false, PATIENCE);
         for (Part each : parts) {
             long one = reacting(each, walk);
-            all = Math.addExact(all, Math.multiplyExact(handled.get(each.object()), one));
+            all = Math.addExact(all, Math.multiplyExact(known(handled, each.object()), one));
         }
         return all;
+    }
+
+    private static <K, V> V known(Map<K, V> values, K key) {
+        return Objects.requireNonNull(values.get(key));
     }
 
     private static long heaviest(Map<StoreWalk.End, Long> ends) {
@@ -154,9 +159,9 @@ final class EventTime {
         for (Part each : inOrder(senders)) {
             long events = each.capacity();
             long before = 0;
-            for (Map.Entry<Part, Long> sender : senders.get(each).entrySet()) {
-                before = Math.max(before, rounds.get(sender.getKey()));
-                long sent = handled.get(sender.getKey().object()) * sender.getValue();
+            for (Map.Entry<Part, Long> sender : known(senders, each).entrySet()) {
+                before = Math.max(before, known(rounds, sender.getKey()));
+                long sent = known(handled, sender.getKey().object()) * sender.getValue();
                 events = Math.addExact(events, sent);
             }
             rounds.put(each, before + each.capacity());

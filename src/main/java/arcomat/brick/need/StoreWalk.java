@@ -19,6 +19,7 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -162,7 +163,9 @@ class StoreWalk {
         if (object instanceof KnownValue known) {
             held = store.fields().get(new Store.Field(known.number(), effects.name(access)));
         }
-        return held != null ? held : Operations.unknown(Type.getType(access.desc));
+        return held != null
+                ? held
+                : Objects.requireNonNull(Operations.unknown(Type.getType(access.desc)));
     }
 
     /** What is written to an object that is not known may be written to any. */
