@@ -67,11 +67,13 @@ public final class BeginTogether implements Check.OnComponent {
 
     private static Optional<Clash> clash(
             Map<String, ItemSymbol> some, Map<String, ItemSymbol> others) {
-        return some.entrySet().stream()
-                .filter(each -> others.containsKey(each.getKey()))
-                .map(each -> new Clash(each.getValue(), others.get(each.getKey())))
-                .filter(clash -> differ(known(clash.one().value()), known(clash.other().value())))
-                .findFirst();
+        for (Map.Entry<String, ItemSymbol> each : some.entrySet()) {
+            ItemSymbol other = others.get(each.getKey());
+            if (other != null && differ(known(each.getValue().value()), known(other.value()))) {
+                return Optional.of(new Clash(each.getValue(), other));
+            }
+        }
+        return Optional.empty();
     }
 
     /** Two messages of one port, as far as the text says which they are. */
