@@ -1,6 +1,7 @@
 package arcomat.brick.need;
 
 import arcomat.brick.need.flow.Constants;
+import arcomat.brick.need.flow.MethodName;
 import arcomat.brick.need.flow.Unknown;
 
 import org.jspecify.annotations.Nullable;
@@ -8,9 +9,12 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.IincInsnNode;
+import org.objectweb.asm.tree.MethodNode;
+import org.objectweb.asm.tree.analysis.Analyzer;
 import org.objectweb.asm.tree.analysis.AnalyzerException;
 import org.objectweb.asm.tree.analysis.BasicInterpreter;
 import org.objectweb.asm.tree.analysis.BasicValue;
+import org.objectweb.asm.tree.analysis.BasicVerifier;
 import org.objectweb.asm.tree.analysis.Frame;
 
 import java.util.Optional;
@@ -27,6 +31,19 @@ final class Operations extends BasicInterpreter {
     /** Any value of a type; null for none. */
     static @Nullable BasicValue unknown(Type type) {
         return ALL.newValue(type);
+    }
+
+    /**
+     * Looks whether each instruction finds its operands, as a virtual machine does that loads them.
+     *
+     * @throws Unknown if one does not
+     */
+    static void verify(MethodName name, MethodNode method) {
+        try {
+            new Analyzer<>(new BasicVerifier()).analyze(name.owner(), method);
+        } catch (AnalyzerException | IndexOutOfBoundsException e) {
+            throw Unknown.of(name, "is no method that can run");
+        }
     }
 
     /** Carries out an instruction that neither jumps nor calls, on locals and stack. */

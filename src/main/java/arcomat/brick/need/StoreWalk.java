@@ -86,6 +86,7 @@ class StoreWalk {
         return bodies.computeIfAbsent(
                 code.method(name).orElseThrow(),
                 method -> {
+                    Operations.verify(name, method);
                     FlowGraph graph = new FlowGraph(method);
                     return new Body(method, graph, weights.useful(graph));
                 });
