@@ -33,9 +33,9 @@ class PublishedArtifactsTest {
     @ParameterizedTest
     @CsvSource({
         "arcomat, antlr4-runtime arcomat-brick-api arcomat-brick-simulation arcomat-runtime"
-            + " asm-analysis asm-tree ecj freemarker gson guava hipparchus-core hppc"
-            + " jackson-databind jsvg org.eclipse.elk.alg.layered org.eclipse.emf.ecore"
-            + " org.eclipse.lsp4j parquet-floor picocli slf4j-nop smtinterpol",
+                + " asm-analysis asm-tree ecj freemarker gson guava hipparchus-core hppc"
+                + " jackson-databind jsvg org.eclipse.elk.alg.layered org.eclipse.emf.ecore"
+                + " org.eclipse.lsp4j parquet-floor picocli slf4j-nop smtinterpol",
         "arcomat-api, jspecify",
         "arcomat-brick-api, asm",
         "arcomat-brick-simulation, arcomat-brick-api asm asm-analysis asm-tree",
