@@ -244,9 +244,9 @@ class SameAnswersTest extends BrowserTest {
             while (question.find()) {
                 String left = question.group(1);
                 String right = question.group(2);
-                assertThat(page.ask("refines", left, right, MILLISECONDS))
+                assertThat(comparable(page.ask("refines", left, right, MILLISECONDS)))
                         .as(file + ": " + question.group())
-                        .isEqualTo(desk.refines(left, right, MILLISECONDS));
+                        .isEqualTo(comparable(desk.refines(left, right, MILLISECONDS)));
                 asked++;
             }
             assertThat(page.ask("test")).as(file.toString()).isEqualTo(desk.test());
@@ -255,6 +255,16 @@ class SameAnswersTest extends BrowserTest {
                     .isEqualTo(desk.analyze(MILLISECONDS));
         }
         assertThat(asked).isGreaterThan(30);
+    }
+
+    /**
+     * Without how much was looked at where only some inputs are tried: which ones the solver finds
+     * first depends on the order of hash tables.
+     */
+    private static String comparable(String answer) {
+        return answer.contains("not all inputs could be told apart")
+                ? answer.replaceAll("explored \\d+ pairs of \\d+ and \\d+", "explored some of")
+                : answer;
     }
 
     private void coffee() throws IOException {

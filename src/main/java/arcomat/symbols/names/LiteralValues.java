@@ -2,7 +2,9 @@ package arcomat.symbols.names;
 
 import arcomat.tree.Expression.Literal;
 
+import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 
@@ -51,7 +53,7 @@ public final class LiteralValues {
     }
 
     private static BigInteger magnitude(String text) {
-        String digits = text.replace("_", "").toLowerCase(java.util.Locale.ROOT);
+        String digits = text.replace("_", "").toLowerCase(Locale.ROOT);
         if (digits.endsWith("l")) {
             digits = digits.substring(0, digits.length() - 1);
         }
@@ -69,10 +71,34 @@ public final class LiteralValues {
 
     /** The value of a floating point literal; infinite where it is too large. */
     public static double realNumber(Literal literal) {
-        String digits = literal.text().replace("_", "");
-        return literal.kind() == Literal.Kind.FLOAT
-                ? Float.parseFloat(digits)
-                : Double.parseDouble(digits);
+        String digits = literal.text().replace("_", "").toLowerCase(Locale.ROOT);
+        boolean single = literal.kind() == Literal.Kind.FLOAT;
+        if (digits.startsWith("0x")) {
+            BigDecimal value = hexadecimal(digits.substring(2));
+            return single ? value.floatValue() : value.doubleValue();
+        }
+        return single ? Float.parseFloat(digits) : Double.parseDouble(digits);
+    }
+
+    /**
+     * The exact value of a significand and a power of two, {@code 1.8p-2}. It is calculated here
+     * since not every library of Java reads it, the one of the web page does not.
+     */
+    private static BigDecimal hexadecimal(String digits) {
+        String[] halves = digits.replaceAll("[fd]$", "").split("p", 2);
+        int point = halves[0].indexOf('.');
+        int behind = point < 0 ? 0 : halves[0].length() - point - 1;
+        BigInteger significand = new BigInteger("0" + halves[0].replace(".", ""), 16);
+        int power = exponent(halves[1], halves[0].length()) - 4 * behind;
+        return power >= 0
+                ? new BigDecimal(significand.shiftLeft(power))
+                : new BigDecimal(significand.multiply(BigInteger.valueOf(5).pow(-power)), -power);
+    }
+
+    /** An exponent; one that makes any number of so many digits zero or infinite is cut. */
+    private static int exponent(String text, int digits) {
+        BigInteger most = BigInteger.valueOf(2_000 + 4L * digits);
+        return new BigInteger(text.replace("+", "")).min(most).max(most.negate()).intValue();
     }
 
     /**
@@ -81,7 +107,7 @@ public final class LiteralValues {
      * @param written a floating point literal
      */
     public static boolean isLost(String written, double value) {
-        String lower = written.toLowerCase(java.util.Locale.ROOT);
+        String lower = written.toLowerCase(Locale.ROOT);
         boolean hexadecimal = lower.contains("x");
         String digits = hexadecimal ? lower.substring(lower.indexOf('x') + 1) : lower;
         String significand = digits.split(hexadecimal ? "p" : "[efd]", 2)[0];
