@@ -10,6 +10,9 @@ import java.util.OptionalLong;
 
 /** The values of literals, by the rules of Java. */
 public final class LiteralValues {
+    /** Half of the smallest float: less is zero. */
+    private static final double LOST_AS_FLOAT = Float.MIN_VALUE / 2.0;
+
     private LiteralValues() {}
 
     /**
@@ -77,7 +80,12 @@ public final class LiteralValues {
             BigDecimal value = hexadecimal(digits.substring(2));
             return single ? value.floatValue() : value.doubleValue();
         }
-        return single ? Float.parseFloat(digits) : Double.parseDouble(digits);
+        double wide = Double.parseDouble(digits);
+        if (!single) {
+            return wide;
+        }
+        // The library of the web page does not round these to zero.
+        return wide < LOST_AS_FLOAT ? 0 : Float.parseFloat(digits);
     }
 
     /**
