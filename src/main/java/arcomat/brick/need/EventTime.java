@@ -29,8 +29,6 @@ import java.util.stream.IntStream;
  * aside. A part whose senders have nothing left has no more events than its queue holds.
  */
 final class EventTime {
-    private static final long PATIENCE = 200_000;
-
     /** From one round to the next, and a look at a queue that is empty: instructions. */
     private static final int ROUND = 10;
 
@@ -103,7 +101,7 @@ final class EventTime {
         Map<KnownValue, Long> handled = new HashMap<>();
         long rounds = 1 + follow(handled);
         long all = Math.multiplyExact(rounds, round(reaction));
-        StoreWalk walk = new StoreWalk(code, weights, false, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, weights, false);
         for (Part each : parts) {
             long one = reacting(each, walk);
             all = Math.addExact(all, Math.multiplyExact(known(handled, each.object()), one));
@@ -126,7 +124,7 @@ final class EventTime {
     /** A round in which all parts are asked, besides what those do that react. */
     private long round(MethodInsnNode reaction) {
         StoreWalk asking =
-                new StoreWalk(code, weights, false, PATIENCE) {
+                new StoreWalk(code, weights, false) {
                     @Override
                     Map<End, Long> called(
                             MethodInsnNode call, List<BasicValue> arguments, Store before) {
@@ -189,7 +187,7 @@ final class EventTime {
 
     /** Counts the events that get a place in a part's queue. */
     private StoreWalk counting(Part to) {
-        return new StoreWalk(code, weights.nothing(), false, PATIENCE) {
+        return new StoreWalk(code, weights.nothing(), false) {
             @Override
             Map<End, Long> called(MethodInsnNode call, List<BasicValue> arguments, Store before) {
                 Map<End, Long> ends = super.called(call, arguments, before);

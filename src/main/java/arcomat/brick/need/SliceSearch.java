@@ -17,9 +17,6 @@ import java.util.Set;
  * Branches of several components that never come together do not count together here.
  */
 final class SliceSearch {
-    /** In instructions; beyond, nothing is said. */
-    private static final long PATIENCE = 200_000;
-
     static final KnownValue ROBOT = KnownValue.object(0);
 
     private final Code code;
@@ -40,7 +37,7 @@ final class SliceSearch {
      * @throws Unknown if there are too many slices to look at
      */
     long heaviest(MethodWeights weights) {
-        StoreWalk walk = new StoreWalk(code, weights, false, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, weights, false);
         Set<Store> seen = started();
         Deque<Store> open = new ArrayDeque<>(seen);
         long heaviest = 0;
@@ -58,7 +55,7 @@ final class SliceSearch {
 
     /** What the robot's objects may hold before its first slice. */
     Set<Store> started() {
-        StoreWalk walk = new StoreWalk(code, MethodWeights.none(code, library), true, PATIENCE);
+        StoreWalk walk = new StoreWalk(code, MethodWeights.none(code, library), true);
         Set<Store> started = new HashSet<>();
         for (StoreWalk.End made : called(walk, "<init>", walk.made(robot, Store.EMPTY)).keySet()) {
             called(walk, "start", made.store()).keySet().forEach(end -> started.add(end.store()));

@@ -59,6 +59,10 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
         return parts / (REGULATION - regulation);
     }
 
+    private RobotMonitors monitors() {
+        return new RobotMonitors(code, library);
+    }
+
     /** The longest slice may be one in which monitors make all their arrays longer. */
     private long growth() {
         MethodName copy =
@@ -66,15 +70,13 @@ record SliceTime(Code code, LibraryCost library, Entry entry) {
                         "java/lang/System",
                         "arraycopy",
                         "(Ljava/lang/Object;ILjava/lang/Object;II)V");
-        return new RobotMonitors(code, library).growths(entry.main()) * library.time(copy);
+        return monitors().growths(entry.main()) * library.time(copy);
     }
 
     /** What one of the monitors shows in each slice, after a violation or when it has given up. */
     private long shown(Times times) {
         MethodName row = new MethodName("arcomat/nxt/Row", "show", "(Ljava/lang/String;)V");
-        return new RobotMonitors(code, library).show()
-                ? ROWS * (times.of(row) + REGULATION * ROW)
-                : 0;
+        return monitors().show() ? ROWS * (times.of(row) + REGULATION * ROW) : 0;
     }
 
     private static boolean isSlice(AbstractInsnNode each) {

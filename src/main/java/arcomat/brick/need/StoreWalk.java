@@ -38,20 +38,21 @@ class StoreWalk {
 
     private final boolean keepsObjects;
     private final Map<MethodNode, Body> bodies = new HashMap<>();
-    private long patience;
+
+    /** How many instructions are looked at yet; beyond, nothing is said. */
+    private long patience = 200_000;
+
     private int depth;
 
     /**
      * @param keepsObjects whether it is known which object is which of those that are made
-     * @param patience how many instructions are looked at
      */
-    StoreWalk(Code code, MethodWeights weights, boolean keepsObjects, long patience) {
+    StoreWalk(Code code, MethodWeights weights, boolean keepsObjects) {
         this.code = code;
         this.weights = weights;
         this.effects = new FieldWrites(code);
         this.shared = effects.ofCallbacks();
         this.keepsObjects = keepsObjects;
-        this.patience = patience;
     }
 
     /** A method, its graph, and what lies on ways to its returns. */

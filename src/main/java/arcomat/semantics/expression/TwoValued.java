@@ -55,7 +55,7 @@ record TwoValued(Formulas formulas, boolean once) {
     private Expression chosen(
             Expression.Conditional choice, Expression then, Expression otherwise) {
         Expression condition = choice.condition();
-        if (!formulas.isStrict(condition) && (isAskedOnce(condition) || condition.divides())) {
+        if (!formulas.isStrict(condition) && (once || condition.divides())) {
             Expression decides = value(condition);
             return and(
                     defined(condition),

@@ -1,2 +1,2 @@
-/** What guards cost that nest deeply. */
+/** Measures guards that nest deeply. */
 package arcomat.benchmarks.guards;

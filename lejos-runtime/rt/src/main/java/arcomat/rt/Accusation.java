@@ -40,6 +40,7 @@ final class Accusation {
         return " forbids " + joined(shown, ", ") + "; it allows " + joined(allowed, " or ");
     }
 
+    /** Makes an array; in a method, whose size the prediction of memory knows by its name. */
     private boolean[] flags() {
         return new boolean[delayed.length];
     }

@@ -15,20 +15,20 @@ public final class Kleene {
 
     public static final int FALSE = 4;
 
-    /** Whoever looks at it, or asks whether it is defined, divides by zero. */
+    /** Looking at it, or asking whether it is defined, divides by zero. */
     public static final int WRONG = 10;
 
-    /** It is defined, and whoever looks at it divides by zero. */
+    /** It is defined, and looking at it divides by zero. */
     public static final int DEFINED_WRONG = 26;
 
-    /** What came out as far as it may be true; the same of falsehood stands above it. */
+    /** Selects what came out as far as it may be true; the bits above it say the same of false. */
     private static final int TRUTH = 3;
 
     private static final int FALSEHOOD = 12;
 
     private Kleene() {}
 
-    /** What is known of a condition that has a value. */
+    /** Returns what is known of a condition that has a value. */
     public static int of(boolean value) {
         return value ? TRUE : FALSE;
     }
@@ -63,7 +63,7 @@ public final class Kleene {
         return left == DEFINED_WRONG || right == DEFINED_WRONG ? DEFINED_WRONG : of(left == right);
     }
 
-    /** What is known of one of two conditions, as another one decides. */
+    /** Returns what is known of one of two conditions, as another one decides. */
     public static int choose(int condition, int then, int otherwise) {
         int decides = value(condition);
         if (decides == TRUE) {

@@ -28,6 +28,7 @@ final class Messages {
         this.starts = row();
     }
 
+    /** Makes an array; in a method, whose size the prediction of memory knows by its name. */
     private int[] row() {
         return new int[ports];
     }

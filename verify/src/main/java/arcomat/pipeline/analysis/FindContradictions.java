@@ -19,7 +19,6 @@ import arcomat.source.SourceFile;
 import arcomat.syntax.Formatter;
 
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -57,7 +56,12 @@ public record FindContradictions(
             Consistency consistency,
             Optional<String> controller,
             Optional<String> requirements,
-            Optional<String> file) {}
+            Optional<String> file) {
+        /** All that would be written to files, one text after the other. */
+        public Optional<String> written() {
+            return controller.map(text -> text + requirements.map(each -> "\n" + each).orElse(""));
+        }
+    }
 
     @Override
     public Asked asked() {
@@ -99,16 +103,17 @@ public record FindContradictions(
             return Optional.empty();
         }
         String name = controller.refines().get(0);
-        Set<String> imports = new LinkedHashSet<>();
-        for (Automaton automaton : required.requirements()) {
-            models.checked().workspace().units().stream()
-                    .filter(unit -> unit.file().equals(automaton.span().file()))
-                    .flatMap(unit -> unit.imports().stream())
-                    .forEach(
-                            each ->
-                                    imports.add(
-                                            each.name().text() + (each.wildcard() ? ".*" : "")));
-        }
+        Set<SourceFile> files =
+                required.requirements().stream()
+                        .map(automaton -> automaton.span().file())
+                        .collect(Collectors.toSet());
+        List<String> imports =
+                models.checked().workspace().units().stream()
+                        .filter(unit -> files.contains(unit.file()))
+                        .flatMap(unit -> unit.imports().stream())
+                        .map(each -> each.name().text() + (each.wildcard() ? ".*" : ""))
+                        .distinct()
+                        .toList();
         GeneratedFile file =
                 ControllerText.required(
                         required,

@@ -86,17 +86,7 @@ public final class ContradictionsCommand extends AnalysisCommand<FindContradicti
     @Override
     protected String text(Found found, Style style) {
         return ConsistencyText.render(
-                found.asked().title(),
-                found.consistency(),
-                found.controller()
-                        .map(
-                                text ->
-                                        text
-                                                + found.requirements()
-                                                        .map(each -> "\n" + each)
-                                                        .orElse("")),
-                found.file(),
-                style);
+                found.asked().title(), found.consistency(), found.written(), found.file(), style);
     }
 
     @Override
